@@ -1,0 +1,3 @@
+//! One `Topology` trait, every triangle-mesh data structure.
+#![no_std]
+extern crate alloc;

@@ -1,0 +1,3 @@
+//! onering at the shell.
+
+fn main() {}

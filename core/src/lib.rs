@@ -1,0 +1,3 @@
+//! Traits and algorithms for triangle-mesh topology, with no storage of their own.
+#![no_std]
+extern crate alloc;
