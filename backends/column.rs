@@ -1,0 +1,139 @@
+//! What a layout does with one column: [`Stored`], [`Computed`] or [`Absent`].
+use alloc::{boxed::Box, vec::Vec};
+use core::{fmt::Debug, marker::PhantomData};
+use onering_core::BuildError;
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// What a layout does with one column. Sealed: the three policies below are all there are.
+pub trait Policy: sealed::Sealed + 'static {
+    /// Name for tables in documentation.
+    const NAME: &'static str;
+    /// Cells in memory for each element: 1 or 0.
+    const CELLS: usize;
+    /// The cells in memory: a boxed slice, or nothing at all.
+    type Cells<T: Copy + Debug + Send + Sync>: Cells<T>;
+}
+
+/// A column that can be read: [`Stored`] or [`Computed`].
+#[diagnostic::on_unimplemented(
+    message = "this layout does not know the column that this operation reads (it is `{Self}`)",
+    note = "the table in `onering::layout` shows which layouts do"
+)]
+pub trait Answered: Policy {
+    /// Cell `i`, or `compute()` where nothing is kept.
+    fn get_or<T: Copy + Debug + Send + Sync>(
+        cells: &Self::Cells<T>,
+        i: usize,
+        compute: impl FnOnce() -> T,
+    ) -> T;
+}
+
+/// A column that is in memory: [`Stored`] only.
+#[diagnostic::on_unimplemented(
+    message = "this layout does not keep the column that this operation reads (it is `{Self}`)",
+    note = "the table in `onering::layout` shows which layouts do"
+)]
+pub trait Kept: Answered {
+    /// Cell `i`.
+    fn get<T: Copy + Debug + Send + Sync>(cells: &Self::Cells<T>, i: usize) -> T;
+}
+
+/// Construction and size of a column.
+pub trait Cells<T>: Debug + Clone + Send + Sync {
+    /// Fills the column; one without memory never runs `make`.
+    ///
+    /// # Errors
+    /// Those of `make`.
+    fn build(make: impl FnOnce() -> Result<Vec<T>, BuildError>) -> Result<Self, BuildError>;
+
+    /// The cells; none where nothing is kept.
+    fn as_slice(&self) -> &[T];
+}
+
+/// Kept in memory: one load.
+#[derive(Debug)]
+pub enum Stored {}
+
+/// Worked out from other columns or from the index: no memory.
+#[derive(Debug)]
+pub enum Computed {}
+
+/// Not known by this layout, so the trait that needs it is not implemented.
+#[derive(Debug)]
+pub enum Absent {}
+
+impl sealed::Sealed for Stored {}
+impl sealed::Sealed for Computed {}
+impl sealed::Sealed for Absent {}
+
+impl Policy for Stored {
+    const NAME: &'static str = "stored";
+    const CELLS: usize = 1;
+    type Cells<T: Copy + Debug + Send + Sync> = InMemory<T>;
+}
+
+impl Policy for Computed {
+    const NAME: &'static str = "computed";
+    const CELLS: usize = 0;
+    type Cells<T: Copy + Debug + Send + Sync> = Nowhere<T>;
+}
+
+impl Policy for Absent {
+    const NAME: &'static str = "-";
+    const CELLS: usize = 0;
+    type Cells<T: Copy + Debug + Send + Sync> = Nowhere<T>;
+}
+
+impl Answered for Stored {
+    #[inline(always)]
+    fn get_or<T: Copy + Debug + Send + Sync>(cells: &InMemory<T>, i: usize, _: impl FnOnce() -> T) -> T {
+        cells.0[i]
+    }
+}
+
+impl Answered for Computed {
+    #[inline(always)]
+    fn get_or<T: Copy + Debug + Send + Sync>(_: &Nowhere<T>, _: usize, compute: impl FnOnce() -> T) -> T {
+        compute()
+    }
+}
+
+impl Kept for Stored {
+    #[inline(always)]
+    fn get<T: Copy + Debug + Send + Sync>(cells: &InMemory<T>, i: usize) -> T {
+        cells.0[i]
+    }
+}
+
+/// Cells of a [`Stored`] column.
+#[derive(Clone, Debug)]
+pub struct InMemory<T>(Box<[T]>);
+
+impl<T: Copy + Debug + Send + Sync> Cells<T> for InMemory<T> {
+    fn build(make: impl FnOnce() -> Result<Vec<T>, BuildError>) -> Result<Self, BuildError> {
+        Ok(Self(make()?.into_boxed_slice()))
+    }
+
+    fn as_slice(&self) -> &[T] {
+        &self.0
+    }
+}
+
+/// Cells of a column that takes no memory.
+#[derive(Clone, Debug)]
+pub struct Nowhere<T>(PhantomData<T>);
+
+impl<T: Copy + Debug + Send + Sync> Cells<T> for Nowhere<T> {
+    fn build(_: impl FnOnce() -> Result<Vec<T>, BuildError>) -> Result<Self, BuildError> {
+        Ok(Self(PhantomData))
+    }
+
+    fn as_slice(&self) -> &[T] {
+        &[]
+    }
+}
+
+const _: () = assert!(size_of::<Nowhere<u32>>() == 0);

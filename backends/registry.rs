@@ -1,0 +1,48 @@
+//! Every backend, once. Tests, benchmarks, the shell and the table in the README are made from this list.
+//!
+//! To add a backend: write its file, and add its line here.
+use crate::footprint::{Bytes, Footprint};
+
+/// Calls `$then!` with every backend: its name (as a module, and as a feature and at the shell), its type, the traits that it has (`graph` is
+/// [`Neighbours`](crate::neighbours::Neighbours)), and the defects that it holds as they are; it refuses the
+/// others with a `BuildError`. A vertex out of range is refused by all.
+#[macro_export]
+macro_rules! with_backends {
+    ($then:path) => { $then! {
+        shared_vertex         "shared-vertex"         $crate::SharedVertex         [topology]                                        [degenerate non_manifold_edge same_direction several_fans];
+        che_l0                "che-l0"                $crate::CheL0                [topology]                                        [degenerate non_manifold_edge same_direction several_fans];
+        che_l1                "che-l1"                $crate::CheL1                [topology adjacency]                              [several_fans];
+        che_l2                "che-l2"                $crate::CheL2                [topology adjacency incidence edge_map]           [];
+        che_l2_edge_table     "che-l2-edge-table"     $crate::CheL2EdgeTable       [topology adjacency incidence edge_map]           [];
+        che_l3                "che-l3"                $crate::CheL3                [topology adjacency incidence edge_map boundaries] [];
+        directed_edges_small  "directed-edges-small"  $crate::DirectedEdgesSmall   [topology adjacency incidence]                    [non_manifold_edge same_direction several_fans];
+        directed_edges_medium "directed-edges-medium" $crate::DirectedEdgesMedium  [topology adjacency incidence]                    [non_manifold_edge same_direction several_fans];
+        directed_edges_full   "directed-edges-full"   $crate::DirectedEdgesFull    [topology adjacency incidence]                    [non_manifold_edge same_direction several_fans];
+    } };
+}
+
+/// What the registry says of one backend.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Its name at the shell and as a cargo feature, such as `che-l2`.
+    pub name: &'static str,
+    /// Its traits, from `topology` up; `graph` is the bare [`Neighbours`](crate::neighbours::Neighbours).
+    pub traits: &'static [&'static str],
+    /// The defects that it holds as they are.
+    pub holds: &'static [&'static str],
+    /// Its memory formula.
+    pub bytes: Bytes,
+}
+
+macro_rules! entries {
+    ($($name:ident $text:literal $mesh:ty [$($has:ident)*] [$($holds:ident)*];)+) => {
+        /// Every backend, in the order of the registry.
+        pub const BACKENDS: &[Entry] = &[$(Entry {
+            name: $text,
+            traits: &[$(stringify!($has)),*],
+            holds: &[$(stringify!($holds)),*],
+            bytes: <$mesh as Footprint>::BYTES,
+        }),+];
+    };
+}
+with_backends!(entries);

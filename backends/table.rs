@@ -1,0 +1,267 @@
+//! [`Table`]: one struct for every row of the layout table.
+use crate::build::{self, Links};
+use crate::column::{Answered, Cells, Kept, Policy};
+use crate::layout::{Defects, Edges, Layout};
+use crate::link::{Coding, Link};
+use alloc::{borrow::Cow, vec::Vec};
+use core::fmt;
+use onering_core::footprint::{Bytes, Footprint};
+use onering_core::{
+    Adjacency, Boundaries, BuildError, CurveId, EdgeId, EdgeMap, FaceId, FromFaces, HalfEdgeId, Handle,
+    Incidence, Pairing, Topology, VertexId, corner, memory, pairing,
+};
+
+type Column<P, T> = <P as Policy>::Cells<T>;
+type LinkOf<L> = <<L as Layout>::Links as Coding>::Link;
+type EdgeList<L> = <<L as Layout>::Edges as Edges>::List;
+type EdgeIndex<L> = <<L as Layout>::Edges as Edges>::Index;
+type RecordsOf<L> = <<L as Layout>::Defects as Defects>::Records;
+
+/// Triangle topology laid out as the row `L` of [`with_layouts!`](crate::with_layouts) says. Half-edges are
+/// numbered by corners.
+#[derive(Clone)]
+pub struct Table<L: Layout> {
+    vertex_count: usize,
+    face_count: usize,
+    origin: Column<L::Origin, VertexId>,
+    target: Column<L::Target, VertexId>,
+    next: Column<L::Next, HalfEdgeId>,
+    prev: Column<L::Prev, HalfEdgeId>,
+    opposite: Column<L::Opposite, LinkOf<L>>,
+    outgoing: Column<L::Outgoing, LinkOf<L>>,
+    edge_list: Column<EdgeList<L>, HalfEdgeId>,
+    edge_index: Column<EdgeIndex<L>, EdgeId>,
+    curve_list: Column<L::Curves, HalfEdgeId>,
+    edge_records: Column<RecordsOf<L>, u32>,
+    vertex_records: Column<RecordsOf<L>, u32>,
+}
+
+impl<L: Layout> fmt::Debug for Table<L> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {{ vertices: {}, faces: {} }}", L::NAME, self.vertex_count, self.face_count)
+    }
+}
+
+impl<L: Layout> Table<L> {
+    const HOLDS: bool = RecordsOf::<L>::CELLS > 0;
+
+    /// Whether the row has a column that half-edges have to be paired for.
+    const PAIRS: bool = L::Opposite::CELLS + L::Outgoing::CELLS + EdgeList::<L>::CELLS + L::Curves::CELLS > 0;
+
+    const IS_SOUND: () = {
+        assert!(L::Origin::CELLS + L::Target::CELLS > 0, "a layout stores `Origin` or `Target`");
+        let coded = L::Links::MAX_HALF_EDGES < u32::MAX as usize - 1;
+        assert!(
+            coded || !Self::HOLDS && L::Curves::CELLS == 0,
+            "a layout with records or curves has `Coded` links"
+        );
+    };
+
+    /// The half-edges along the irregular edge of `h`; none where its edge is regular.
+    #[inline]
+    fn edge_record(&self, h: HalfEdgeId) -> &[u32]
+    where
+        L::Opposite: Kept,
+    {
+        let number = L::Opposite::get(&self.opposite, h.index()).number();
+        let place = number.and_then(|k| k.checked_sub(self.curve_list.as_slice().len()));
+        place.map_or(&[], |place| build::record(self.edge_records.as_slice(), place))
+    }
+
+    /// The starts of the fans of `v`; none where it has one fan or no face.
+    #[inline]
+    fn vertex_record(&self, v: VertexId) -> &[u32]
+    where
+        L::Outgoing: Kept,
+    {
+        let place = L::Outgoing::get(&self.outgoing, v.index()).number();
+        place.map_or(&[], |place| build::record(self.vertex_records.as_slice(), place))
+    }
+}
+
+impl<L: Layout> FromFaces for Table<L> {
+    fn build(vertex_count: usize, faces: Cow<'_, [[u32; 3]]>, pairing: Pairing) -> Result<Self, BuildError> {
+        let () = Self::IS_SOUND;
+        pairing::check_counts(vertex_count, faces.len(), L::Links::MAX_HALF_EDGES)?;
+        let mut links = if Self::PAIRS {
+            build::links(vertex_count, &faces, pairing, L::Outgoing::CELLS > 0, Self::HOLDS)?
+        } else {
+            pairing::check_vertices(vertex_count, &faces)?;
+            Links::default()
+        };
+        let face_count = faces.len();
+        let half_edges = || (0..3 * face_count).map(HalfEdgeId::new);
+        // Curves last: they renumber what the links say.
+        let edge_list = Cells::build(|| links.edge_list())?;
+        let edge_index = Cells::build(|| links.edge_index())?;
+        let curve_list = Cells::build(|| links.name_curves(&faces))?;
+        let (origin, target);
+        if L::Origin::CELLS > 0 {
+            target = Cells::build(|| build::targets(&faces))?;
+            origin = Cells::build(|| build::into_origins(faces))?;
+        } else {
+            origin = Cells::build(|| Ok(Vec::new()))?;
+            target = Cells::build(|| build::into_targets(faces))?;
+        }
+        Ok(Self {
+            vertex_count,
+            face_count,
+            origin,
+            target,
+            next: Cells::build(|| memory::collected(half_edges().map(corner::next)))?,
+            prev: Cells::build(|| memory::collected(half_edges().map(corner::prev)))?,
+            opposite: Cells::build(|| Ok(links.opposite))?,
+            outgoing: Cells::build(|| Ok(links.outgoing))?,
+            edge_list,
+            edge_index,
+            curve_list,
+            edge_records: Cells::build(|| Ok(links.edge_records.words))?,
+            vertex_records: Cells::build(|| Ok(links.vertex_records.words))?,
+        })
+    }
+}
+
+impl<L: Layout> Footprint for Table<L> {
+    const BYTES: Bytes = Bytes {
+        constant: 0,
+        vertex: 4 * L::Outgoing::CELLS,
+        edge: 4 * EdgeList::<L>::CELLS,
+        face: 12
+            * (L::Origin::CELLS
+                + L::Target::CELLS
+                + L::Next::CELLS
+                + L::Prev::CELLS
+                + L::Opposite::CELLS
+                + EdgeIndex::<L>::CELLS),
+        curve: 4 * L::Curves::CELLS,
+        edge_record: 4 * RecordsOf::<L>::CELLS * L::Opposite::CELLS,
+        vertex_record: 4 * RecordsOf::<L>::CELLS * L::Outgoing::CELLS,
+    };
+
+    fn heap_bytes(&self) -> usize {
+        size_of_val(self.origin.as_slice())
+            + size_of_val(self.target.as_slice())
+            + size_of_val(self.next.as_slice())
+            + size_of_val(self.prev.as_slice())
+            + size_of_val(self.opposite.as_slice())
+            + size_of_val(self.outgoing.as_slice())
+            + size_of_val(self.edge_list.as_slice())
+            + size_of_val(self.edge_index.as_slice())
+            + size_of_val(self.curve_list.as_slice())
+            + size_of_val(self.edge_records.as_slice())
+            + size_of_val(self.vertex_records.as_slice())
+    }
+}
+
+impl<L: Layout> Topology for Table<L> {
+    type Vertex = VertexId;
+    type HalfEdge = HalfEdgeId;
+    type Face = FaceId;
+
+    #[inline(always)]
+    fn vertex_count(&self) -> usize {
+        self.vertex_count
+    }
+
+    #[inline(always)]
+    fn face_count(&self) -> usize {
+        self.face_count
+    }
+
+    #[inline(always)]
+    fn origin(&self, h: HalfEdgeId) -> VertexId {
+        L::Origin::get_or(&self.origin, h.index(), || self.target(self.prev(h)))
+    }
+
+    #[inline(always)]
+    fn target(&self, h: HalfEdgeId) -> VertexId {
+        L::Target::get_or(&self.target, h.index(), || self.origin(self.next(h)))
+    }
+
+    /// Where only the previous is stored (directed edges, medium), the next is the previous of the previous.
+    #[inline(always)]
+    fn next(&self, h: HalfEdgeId) -> HalfEdgeId {
+        let by_prev = || if L::Prev::CELLS > 0 { self.prev(self.prev(h)) } else { corner::next(h) };
+        L::Next::get_or(&self.next, h.index(), by_prev)
+    }
+
+    #[inline(always)]
+    fn prev(&self, h: HalfEdgeId) -> HalfEdgeId {
+        L::Prev::get_or(&self.prev, h.index(), || corner::prev(h))
+    }
+}
+
+impl<L: Layout<Opposite: Kept>> Adjacency for Table<L> {
+    #[inline(always)]
+    fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        L::Opposite::get(&self.opposite, h.index()).half_edge()
+    }
+
+    #[inline]
+    fn edge_fan(&self, h: HalfEdgeId) -> impl Iterator<Item = HalfEdgeId> {
+        let others = build::half_edges(self.edge_record(h)).filter(move |&g| g != h);
+        core::iter::once(h).chain(self.opposite(h)).chain(others)
+    }
+
+    #[inline(always)]
+    fn is_boundary(&self, h: HalfEdgeId) -> bool {
+        self.opposite(h).is_none() && (!Self::HOLDS || self.edge_record(h).is_empty())
+    }
+}
+
+impl<L: Layout<Opposite: Kept, Outgoing: Kept>> Incidence for Table<L> {
+    #[inline(always)]
+    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        let first = L::Outgoing::get(&self.outgoing, v.index()).half_edge();
+        if Self::HOLDS { first.or_else(|| build::half_edges(self.vertex_record(v)).next()) } else { first }
+    }
+
+    #[inline]
+    fn fans(&self, v: VertexId) -> impl Iterator<Item = HalfEdgeId> {
+        let further = if Self::HOLDS { self.vertex_record(v) } else { &[] };
+        self.outgoing(v).into_iter().chain(build::half_edges(further).skip(1))
+    }
+}
+
+impl<L: Layout<Opposite: Kept, Edges: Edges<List: Kept, Index: Answered>>> EdgeMap for Table<L> {
+    type Edge = EdgeId;
+
+    #[inline(always)]
+    fn edge_count(&self) -> usize {
+        self.edge_list.as_slice().len()
+    }
+
+    #[inline]
+    fn edge(&self, h: HalfEdgeId) -> EdgeId {
+        let by_search = || {
+            let least = self.edge_fan(h).min().unwrap_or(h);
+            EdgeId::new(self.edge_list.as_slice().partition_point(|&g| g < least))
+        };
+        EdgeIndex::<L>::get_or(&self.edge_index, h.index(), by_search)
+    }
+
+    #[inline(always)]
+    fn half_edge(&self, e: EdgeId) -> HalfEdgeId {
+        EdgeList::<L>::get(&self.edge_list, e.index())
+    }
+}
+
+impl<L: Layout<Opposite: Kept, Curves: Kept>> Boundaries for Table<L> {
+    type Curve = CurveId;
+
+    #[inline(always)]
+    fn curve_count(&self) -> usize {
+        self.curve_list.as_slice().len()
+    }
+
+    #[inline(always)]
+    fn curve_start(&self, c: CurveId) -> HalfEdgeId {
+        L::Curves::get(&self.curve_list, c.index())
+    }
+
+    #[inline]
+    fn curve_of(&self, h: HalfEdgeId) -> Option<CurveId> {
+        let number = L::Opposite::get(&self.opposite, h.index()).number()?;
+        (number < self.curve_count()).then(|| CurveId::new(number))
+    }
+}

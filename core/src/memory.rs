@@ -1,0 +1,39 @@
+//! Tables whose memory is asked for first: a huge count is an error, not an abort.
+use crate::BuildError;
+use alloc::{borrow::Cow, vec::Vec};
+
+/// An empty table with room for exactly `count` values.
+///
+/// # Errors
+/// [`BuildError::OutOfMemory`], as for all functions here.
+pub fn with_room<T>(count: usize) -> Result<Vec<T>, BuildError> {
+    let mut table = Vec::new();
+    let failed = |_| BuildError::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) };
+    table.try_reserve_exact(count).map_err(failed)?;
+    Ok(table)
+}
+
+/// A table of `count` times `value`.
+#[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
+pub fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, BuildError> {
+    let mut table = with_room(count)?;
+    table.resize(count, value);
+    Ok(table)
+}
+
+/// A table of the values of an iterator that knows its length.
+#[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
+pub fn collected<T>(values: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>, BuildError> {
+    let mut table = with_room(values.len())?;
+    table.extend(values);
+    Ok(table)
+}
+
+/// The values as a table of one's own: copied only where they are borrowed.
+#[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
+pub fn owned<T: Copy>(values: Cow<'_, [T]>) -> Result<Vec<T>, BuildError> {
+    match values {
+        Cow::Owned(table) => Ok(table),
+        Cow::Borrowed(values) => collected(values.iter().copied()),
+    }
+}

@@ -1,0 +1,105 @@
+//! Joins half-edges to the root of their edge, and keeps what does not pair.
+use super::Paired;
+use crate::{BuildError, HalfEdgeId, Handle, Slot, corner, memory};
+use alloc::vec::Vec;
+
+/// Half-edges of irregular edges: one record an edge.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct EdgeRecords {
+    half_edges: Vec<HalfEdgeId>,
+    ends: Vec<u32>,
+}
+
+impl EdgeRecords {
+    /// The records, by their first half-edge; each is ascending.
+    pub fn iter(&self) -> impl Iterator<Item = &[HalfEdgeId]> + Clone {
+        let starts = core::iter::once(0).chain(self.ends.iter().copied());
+        starts.zip(&self.ends).map(|(start, &end)| &self.half_edges[start as usize..end as usize])
+    }
+
+    /// Number of records.
+    pub fn len(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.ends.is_empty()
+    }
+
+    /// The error of the edge that went wrong at the lowest half-edge.
+    pub(super) fn first_error(&self, faces: &[[u32; 3]], allow_two: bool) -> Option<BuildError> {
+        let refused = self.iter().filter(|record| record.len() > 2 || !allow_two);
+        let culprit = |record: &[HalfEdgeId]| {
+            let [a, b] = [record[0], record[1]].map(|h| corner::origin(faces, h.index()));
+            if a == b || record.len() == 2 { record[1] } else { record[2] }
+        };
+        let record = refused.min_by_key(|record| culprit(record))?;
+        let face = |h: HalfEdgeId| h.index() / 3;
+        let h = record[0].index();
+        let (a, b) = (corner::origin(faces, h), corner::target(faces, h));
+        Some(if record.len() == 2 {
+            BuildError::SameDirection { vertices: [a, b], faces: [face(record[0]), face(record[1])] }
+        } else {
+            let (vertices, face) = ([a.min(b), a.max(b)], face(culprit(record)));
+            BuildError::NonManifoldEdge { vertices, faces: record.len(), face }
+        })
+    }
+}
+
+/// Collects what a strategy finds.
+pub(super) struct Joiner<'a> {
+    faces: &'a [[u32; 3]],
+    opposite: Vec<Slot<HalfEdgeId>>,
+    /// (root, half-edge) of what does not pair.
+    extra: Vec<(HalfEdgeId, HalfEdgeId)>,
+}
+
+impl<'a> Joiner<'a> {
+    pub(super) fn new(faces: &'a [[u32; 3]]) -> Result<Self, BuildError> {
+        let opposite = memory::filled(3 * faces.len(), Slot::NONE)?;
+        Ok(Self { faces, opposite, extra: Vec::new() })
+    }
+
+    /// For a strategy that has joined pairs by itself.
+    pub(super) fn with(
+        faces: &'a [[u32; 3]],
+        opposite: Vec<Slot<HalfEdgeId>>,
+        extra: Vec<(HalfEdgeId, HalfEdgeId)>,
+    ) -> Self {
+        Self { faces, opposite, extra }
+    }
+
+    /// `h` lies along the same edge as `root`, the first half-edge there.
+    #[inline]
+    pub(super) fn join(&mut self, root: usize, h: usize) {
+        let (r, s) = (HalfEdgeId::new(root), HalfEdgeId::new(h));
+        let is_opposite = corner::origin(self.faces, root) != corner::origin(self.faces, h);
+        if is_opposite && self.opposite[root].get().is_none() {
+            self.opposite[root] = Slot::some(s);
+            self.opposite[h] = Slot::some(r);
+        } else {
+            self.extra.push((r, s));
+        }
+    }
+
+    pub(super) fn finish(mut self) -> Paired {
+        self.extra.sort_unstable();
+        let mut irregular = EdgeRecords::default();
+        for group in self.extra.chunk_by(|a, b| a.0 == b.0) {
+            let root = group[0].0;
+            let start = irregular.half_edges.len();
+            irregular.half_edges.push(root);
+            // The pair that was joined before the edge turned out to have more.
+            if let Some(partner) = self.opposite[root.index()].get() {
+                self.opposite[root.index()] = Slot::NONE;
+                self.opposite[partner.index()] = Slot::NONE;
+                irregular.half_edges.push(partner);
+            }
+            irregular.half_edges.extend(group.iter().map(|&(_, h)| h));
+            irregular.half_edges[start..].sort_unstable();
+            irregular.ends.push(irregular.half_edges.len() as u32);
+        }
+        Paired { opposite: self.opposite, irregular }
+    }
+}

@@ -1,0 +1,146 @@
+//! Pairs half-edges with their opposites: the one construction step shared by all backends.
+//!
+//! Every strategy finds, for each half-edge, the *root* of its edge: the first half-edge in the list along the
+//! same two vertices. All else follows from that, so all give the same result on every input.
+mod chain;
+mod check;
+mod counting_sort;
+mod hash;
+mod joiner;
+mod paper_hash;
+mod quadratic;
+
+use crate::{BuildError, HalfEdgeId, Slot};
+use alloc::vec::Vec;
+use core::fmt;
+
+pub use check::{check_counts, check_faces, check_vertices};
+pub use joiner::EdgeRecords;
+
+/// How to find the half-edges that lie along the same edge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Pairing {
+    /// Looks at the input and takes the fastest for it: see [`Pairing::choose`].
+    #[default]
+    Auto,
+    /// Compares each half-edge with all before it: "without hash" of Biscaro et al. (2016), Tables 3 and 4. O(n^2).
+    Quadratic,
+    /// The hash table of Biscaro et al. (2016), Eq. (7): `(10 v1 + v2) mod 3n` with chained entries. O(n) where the
+    /// hash spreads, O(n^2) where it does not.
+    PaperHash,
+    /// A hash map from edge to half-edge (hashbrown with FxHash). O(n) expected.
+    Hash,
+    /// A counting sort by the lower vertex of each edge, then a sort of each bucket. O(n log(largest bucket)),
+    /// whatever the input; the fastest on a shuffled mesh.
+    CountingSort,
+    /// A list of edges for each lower vertex, linked through the table of opposites itself. The fastest where
+    /// faces that are near in the mesh are near in the list. Falls back to `CountingSort` where lists get long,
+    /// so it is never worse than that by more than a constant.
+    Chain,
+}
+
+impl Pairing {
+    /// Every strategy there is, but for `Auto`.
+    pub const ALL: [Pairing; 5] =
+        [Self::Quadratic, Self::PaperHash, Self::Hash, Self::CountingSort, Self::Chain];
+
+    /// The strategy that `Auto` takes for this input, by its counts and a sample of its faces. O(1).
+    pub fn choose(vertex_count: usize, faces: &[[u32; 3]]) -> Pairing {
+        let half_edges = 3 * faces.len();
+        if vertex_count / 4 > half_edges {
+            Self::Hash // the others take a table over all vertices
+        } else if half_edges > chain::MAX_HALF_EDGES || is_shuffled(vertex_count, faces) {
+            Self::CountingSort
+        } else {
+            Self::Chain
+        }
+    }
+}
+
+impl fmt::Display for Pairing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Auto => "auto",
+            Self::Quadratic => "quadratic",
+            Self::PaperHash => "paper-hash",
+            Self::Hash => "hash",
+            Self::CountingSort => "counting-sort",
+            Self::Chain => "chain",
+        })
+    }
+}
+
+/// Whether consecutive faces are far apart, by a sample of them, in a mesh too large for the cache.
+fn is_shuffled(vertex_count: usize, faces: &[[u32; 3]]) -> bool {
+    const SAMPLES: usize = 256;
+    // A list head for each vertex: 1 MB.
+    const IN_CACHE: usize = 1 << 18;
+    const FAR: u32 = 1 << 14;
+    if vertex_count <= IN_CACHE || faces.len() <= SAMPLES {
+        return false;
+    }
+    let low = |f: &[u32; 3]| f[0].min(f[1]).min(f[2]);
+    let is_far = |pair: &[[u32; 3]]| low(&pair[0]).abs_diff(low(&pair[1])) > FAR;
+    let step = faces.len() / SAMPLES;
+    let far = faces.windows(2).step_by(step).filter(|pair| is_far(pair)).count();
+    far > SAMPLES / 4
+}
+
+/// Half-edges with their opposites, and the edges where there is no such thing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Paired {
+    /// For each half-edge `3f + k` of face `f`: the one that runs the other way along the same edge, where the
+    /// edge has exactly two and they run in opposite directions.
+    pub opposite: Vec<Slot<HalfEdgeId>>,
+    /// The edges of three or more half-edges, or of two that run in the same direction.
+    pub irregular: EdgeRecords,
+}
+
+/// Pairs the half-edges of `faces`. Temporary memory is at most 28 bytes a face and 4 a vertex.
+///
+/// # Errors
+/// A vertex out of range, a degenerate face (the lowest one), or more than 2^32 - 2 half-edges.
+pub fn pair(vertex_count: usize, faces: &[[u32; 3]], pairing: Pairing) -> Result<Paired, BuildError> {
+    check_counts(vertex_count, faces.len(), u32::MAX as usize - 1)?;
+    check_faces(vertex_count, faces)?;
+    match pairing {
+        Pairing::Auto => pair_checked(vertex_count, faces, Pairing::choose(vertex_count, faces)),
+        chosen => pair_checked(vertex_count, faces, chosen),
+    }
+}
+
+fn pair_checked(vertex_count: usize, faces: &[[u32; 3]], pairing: Pairing) -> Result<Paired, BuildError> {
+    match pairing {
+        Pairing::Quadratic => quadratic::pair(faces),
+        Pairing::PaperHash => paper_hash::pair(faces),
+        Pairing::Hash => hash::pair(faces),
+        Pairing::CountingSort => counting_sort::pair(vertex_count, faces),
+        Pairing::Auto | Pairing::Chain => chain::pair(vertex_count, faces),
+    }
+}
+
+impl Paired {
+    /// The opposites, for a backend that holds no irregular edge.
+    ///
+    /// # Errors
+    /// [`BuildError::NonManifoldEdge`] or [`BuildError::SameDirection`], for the first face that is at fault.
+    pub fn refuse_irregular(self, faces: &[[u32; 3]]) -> Result<Vec<Slot<HalfEdgeId>>, BuildError> {
+        match self.irregular.first_error(faces, false) {
+            Some(error) => Err(error),
+            None => Ok(self.opposite),
+        }
+    }
+
+    /// This, for a backend that holds two faces that run along an edge in the same direction, but no edge of
+    /// three or more.
+    ///
+    /// # Errors
+    /// [`BuildError::NonManifoldEdge`], for the first face that is at fault.
+    pub fn refuse_non_manifold(self, faces: &[[u32; 3]]) -> Result<Self, BuildError> {
+        match self.irregular.first_error(faces, true) {
+            Some(error) => Err(error),
+            None => Ok(self),
+        }
+    }
+}

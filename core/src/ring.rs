@@ -1,0 +1,139 @@
+//! Walks around a vertex.
+use crate::{Adjacency, Incidence, Slot};
+
+/// The half-edges out of one vertex from `start`, counter-clockwise, until the turn ends or comes round.
+///
+/// This is Algorithm 2 of Biscaro et al. (2016) as it should read: the step is `opposite(prev(h))`. The printed
+/// one, `opposite(next(h))`, turns about the neighbour, and neither printed algorithm stops at a boundary.
+#[derive(Debug)]
+pub struct Fan<'a, T: Adjacency + ?Sized> {
+    mesh: &'a T,
+    at: Slot<T::HalfEdge>,
+    start: Slot<T::HalfEdge>,
+    begun: bool,
+}
+
+impl<'a, T: Adjacency + ?Sized> Fan<'a, T> {
+    /// The turn that begins with `start`; nothing where there is no start.
+    #[inline]
+    pub fn new(mesh: &'a T, start: Option<T::HalfEdge>) -> Self {
+        let start = start.into();
+        Self { mesh, at: start, start, begun: false }
+    }
+
+    /// Gives the current half-edge and its `prev`, and moves on.
+    ///
+    /// The test for a full turn is made on the way in: made on the way out, it became a conditional move that
+    /// each step had to wait for.
+    #[inline(always)]
+    fn step(&mut self) -> Option<(T::HalfEdge, T::HalfEdge)> {
+        let h = self.at.get()?;
+        if self.begun && self.at == self.start {
+            return None;
+        }
+        self.begun = true;
+        let p = self.mesh.prev(h);
+        self.at = self.mesh.opposite(p).into();
+        Some((h, p))
+    }
+}
+
+impl<T: Adjacency + ?Sized> Iterator for Fan<'_, T> {
+    type Item = T::HalfEdge;
+
+    #[inline]
+    fn next(&mut self) -> Option<T::HalfEdge> {
+        self.step().map(|(h, _)| h)
+    }
+}
+
+/// Iterator of [`Incidence::star`]: fan after fan.
+#[derive(Debug)]
+pub struct Star<'a, T: Adjacency + ?Sized, I> {
+    fan: Fan<'a, T>,
+    starts: I,
+}
+
+impl<'a, T: Adjacency + ?Sized, I: Iterator<Item = T::HalfEdge>> Star<'a, T, I> {
+    /// The fans that begin with `starts`, one after the other.
+    #[inline]
+    pub fn new(mesh: &'a T, mut starts: I) -> Self {
+        Self { fan: Fan::new(mesh, starts.next()), starts }
+    }
+}
+
+impl<T: Adjacency + ?Sized, I: Iterator<Item = T::HalfEdge>> Iterator for Star<'_, T, I> {
+    type Item = T::HalfEdge;
+
+    #[inline]
+    fn next(&mut self) -> Option<T::HalfEdge> {
+        self.fan.next().or_else(|| {
+            self.fan = Fan::new(self.fan.mesh, Some(self.starts.next()?));
+            self.fan.next()
+        })
+    }
+
+    /// Keeps the end of a fan out of its loop.
+    #[inline]
+    fn fold<B, F: FnMut(B, T::HalfEdge) -> B>(self, acc: B, mut f: F) -> B {
+        let mesh = self.fan.mesh;
+        let acc = self.fan.fold(acc, &mut f);
+        self.starts.fold(acc, |acc, start| Fan::new(mesh, Some(start)).fold(acc, &mut f))
+    }
+}
+
+/// Iterator of [`Incidence::one_ring`]: each face of the fan gives its far vertex, and an open fan has one
+/// neighbour more than faces, the `lead`, which comes first.
+#[derive(Debug)]
+pub struct OneRing<'a, T: Adjacency + ?Sized> {
+    fan: Fan<'a, T>,
+    lead: Slot<T::Vertex>,
+}
+
+impl<'a, T: Adjacency + ?Sized> OneRing<'a, T> {
+    /// The ring around the fan that begins with `start`; nothing where there is no start.
+    #[inline]
+    pub fn new(mesh: &'a T, start: Option<T::HalfEdge>) -> Self {
+        let open = start.filter(|&h| mesh.opposite(h).is_none());
+        Self { fan: Fan::new(mesh, start), lead: open.map(|h| mesh.target(h)).into() }
+    }
+}
+
+impl<T: Adjacency + ?Sized> Iterator for OneRing<'_, T> {
+    type Item = T::Vertex;
+
+    #[inline]
+    fn next(&mut self) -> Option<T::Vertex> {
+        if let Some(v) = self.lead.get() {
+            self.lead = Slot::NONE;
+            return Some(v);
+        }
+        self.fan.step().map(|(_, p)| self.fan.mesh.origin(p))
+    }
+
+    /// Keeps the `lead` out of the loop.
+    #[inline]
+    fn fold<B, F: FnMut(B, T::Vertex) -> B>(mut self, mut acc: B, mut f: F) -> B {
+        if let Some(v) = self.lead.get() {
+            acc = f(acc, v);
+        }
+        while let Some((_, p)) = self.fan.step() {
+            acc = f(acc, self.fan.mesh.origin(p));
+        }
+        acc
+    }
+}
+
+/// All neighbours of `v`, each once, whatever meets there: the edge to each is told at its least half-edge.
+pub(crate) fn each_neighbour_once<T: Incidence + ?Sized>(
+    mesh: &T,
+    v: T::Vertex,
+) -> impl Iterator<Item = T::Vertex> {
+    let is_least = move |h: T::HalfEdge| mesh.edge_fan(h).min() == Some(h);
+    mesh.star(v).flat_map(move |h| {
+        let p = mesh.prev(h);
+        let out = is_least(h).then(|| mesh.target(h));
+        let back = is_least(p).then(|| mesh.origin(p));
+        out.into_iter().chain(back)
+    })
+}
