@@ -16,6 +16,7 @@ pub mod footprint;
 pub mod memory;
 pub mod neighbours;
 pub mod pairing;
+pub mod repair;
 pub mod ring;
 pub mod union_find;
 
