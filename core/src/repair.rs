@@ -26,13 +26,12 @@ use crate::defects::MAX_FACES;
 use crate::defects::duplicates::Duplicates;
 use crate::defects::edges::EdgeTable;
 use crate::defects::triangles::Triangles;
+use crate::pairing::check_counts;
+use crate::{BuildError, memory};
 use alloc::borrow::Cow;
 use alloc::vec::Vec;
 use cut::Cut;
 use orient::Orientation;
-
-/// The most vertices, copies included: `u32::MAX` itself stands for "none" in stored links.
-pub const MAX_VERTICES: usize = u32::MAX as usize;
 
 /// What a repair may do beyond what it has to.
 #[derive(Clone, Copy, Debug, Default)]
@@ -62,18 +61,13 @@ pub fn repair(
     faces: &[[u32; 3]],
     options: &RepairOptions<'_>,
 ) -> Result<Repaired, RepairError> {
-    check_counts(vertex_count, faces.len(), options)?;
+    check_counts(vertex_count, faces.len(), 3 * MAX_FACES)?;
+    check_positions(vertex_count, options)?;
     let welded = options.weld.map(weld);
     let source = welded.as_ref().map(|welded| &welded.source[..]);
     let count = source.map_or(vertex_count, <[u32]>::len);
-    let mut triangles = Triangles::sift(count, &welded_faces(faces, welded.as_ref()));
-    let mut edges = EdgeTable::of(&triangles);
-    let copies = Duplicates::find(&edges, &triangles).copies;
-    let duplicate = copies.iter().map(|&t| triangles.source[t as usize]).collect();
-    if !copies.is_empty() {
-        triangles = triangles.without(&copies);
-        edges = EdgeTable::of(&triangles);
-    }
+    let triangles = Triangles::sift(count, &welded_faces(faces, welded.as_ref()));
+    let (triangles, edges, duplicate) = without_duplicates(triangles);
     let orientation = Orientation::of(&edges, &triangles);
     let cut = Cut::of(&edges, &triangles, &orientation);
     let vertex_source = vertex_source(count, source, &cut.copied)?;
@@ -96,13 +90,7 @@ pub fn repair(
     })
 }
 
-fn check_counts(vertices: usize, faces: usize, options: &RepairOptions<'_>) -> Result<(), RepairError> {
-    if faces > MAX_FACES {
-        return Err(RepairError::TooManyFaces { faces, limit: MAX_FACES });
-    }
-    if vertices > MAX_VERTICES {
-        return Err(RepairError::TooManyVertices { vertices, limit: MAX_VERTICES });
-    }
+fn check_positions(vertices: usize, options: &RepairOptions<'_>) -> Result<(), RepairError> {
     match options.weld {
         Some(positions) if positions.len() != vertices => {
             Err(RepairError::PositionCount { vertices, positions: positions.len() })
@@ -118,14 +106,24 @@ fn welded_faces<'a>(faces: &'a [[u32; 3]], welded: Option<&Welded>) -> Cow<'a, [
     faces.iter().map(|face| face.map(new)).collect::<Vec<_>>().into()
 }
 
-/// The map back, checked before memory is taken: it is all here that grows with the vertices alone.
-fn vertex_source(count: usize, welded: Option<&[u32]>, copied: &[u32]) -> Result<Vec<u32>, RepairError> {
-    let vertices = count.saturating_add(copied.len());
-    if vertices > MAX_VERTICES {
-        return Err(RepairError::TooManyVertices { vertices, limit: MAX_VERTICES });
+/// The triangles without copies, their edges, and the faces that were copies.
+fn without_duplicates(triangles: Triangles) -> (Triangles, EdgeTable, Vec<u32>) {
+    let edges = EdgeTable::of(&triangles);
+    let copies = Duplicates::find(&edges, &triangles).copies;
+    if copies.is_empty() {
+        return (triangles, edges, copies);
     }
-    let mut source = Vec::new();
-    source.try_reserve_exact(vertices).map_err(|_| RepairError::OutOfMemory { vertices })?;
+    let faces = copies.iter().map(|&t| triangles.source[t as usize]).collect();
+    let triangles = triangles.without(&copies);
+    let edges = EdgeTable::of(&triangles);
+    (triangles, edges, faces)
+}
+
+/// The map back, checked before memory is taken: it is all here that grows with the vertices alone.
+fn vertex_source(count: usize, welded: Option<&[u32]>, copied: &[u32]) -> Result<Vec<u32>, BuildError> {
+    let vertices = count.saturating_add(copied.len());
+    check_counts(vertices, 0, 0)?;
+    let mut source = memory::with_room(vertices)?;
     match welded {
         Some(welded) => source.extend(welded),
         None => source.extend(0..count as u32),

@@ -3,8 +3,8 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// The most faces that a list may have, so that every half-edge has a `u32` number.
-pub const MAX_FACES: usize = (u32::MAX / 3) as usize;
+/// The most faces that a list may have, so that every half-edge has a `u32` number and one is left for "none".
+pub const MAX_FACES: usize = (u32::MAX as usize - 1) / 3;
 
 /// The proper triangles of a face list, as corners; what was left out is named.
 pub(crate) struct Triangles {
