@@ -54,15 +54,15 @@ pub trait Cells<T>: Debug + Clone + Send + Sync {
 }
 
 /// Kept in memory: one load.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Stored {}
 
 /// Worked out from other columns or from the index: no memory.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Computed {}
 
 /// Not known by this layout, so the trait that needs it is not implemented.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Absent {}
 
 impl sealed::Sealed for Stored {}
