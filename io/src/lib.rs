@@ -40,10 +40,12 @@ mod number;
 pub mod obj;
 #[cfg(feature = "tobj")]
 pub mod obj_attributes;
+mod place;
 mod text;
 mod triangles;
 
-pub use error::{Error, Item, Place, Reason};
+pub use error::{Error, Reason};
 pub use format::Format;
 pub use load::{load, read, read_as};
+pub use place::{Item, Place};
 pub use triangles::{Note, Skipped, Triangles};

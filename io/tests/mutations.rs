@@ -8,7 +8,7 @@ use std::panic::catch_unwind;
 use common::{document, glb, le_bytes};
 use onering_io::{Format, read, read_as};
 
-const ROUNDS: u64 = 20_000;
+const ROUNDS: u64 = 50_000;
 
 /// A generator of Marsaglia's (xorshift64*): small, and the same on every machine.
 struct Random(u64);
