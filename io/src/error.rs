@@ -214,9 +214,10 @@ impl fmt::Display for Location<'_> {
 /// Words quoted in an error are cut here: a file may hold one word of a gigabyte.
 const QUOTED: usize = 60;
 
-/// The word as text; bytes that are no UTF-8 become replacement characters.
+/// The word as text of one line; bytes that are no UTF-8 and control characters become replacement
+/// characters, so that a file cannot write to the terminal what it likes.
 pub(crate) fn quote(word: &[u8]) -> String {
     let cut = &word[..word.len().min(QUOTED)];
     let dots = if cut.len() < word.len() { "..." } else { "" };
-    String::from_utf8_lossy(cut).into_owned() + dots
+    String::from_utf8_lossy(cut).replace(char::is_control, "\u{FFFD}") + dots
 }

@@ -115,5 +115,6 @@ fn unsupported_extension(document: &Document) -> Option<String> {
     let is_harmless = |name: &str| {
         HARMLESS.contains(&name) || HARMLESS_BEGINNINGS.iter().any(|beginning| name.starts_with(beginning))
     };
-    document.extensions_required.iter().find(|name| !is_harmless(name)).cloned()
+    let name = document.extensions_required.iter().find(|name| !is_harmless(name))?;
+    Some(crate::error::quote(name.as_bytes()))
 }

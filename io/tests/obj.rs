@@ -135,9 +135,10 @@ fn the_first_line_at_fault_is_named() {
 }
 
 #[test]
-fn long_words_are_cut_in_errors() {
+fn words_in_errors_are_short_and_printable() {
     let Reason::BadNumber { word } = refusal(&format!("v {}", "x".repeat(1 << 20))).1 else { panic!() };
     assert_eq!(word, format!("{}...", "x".repeat(60)));
+    assert_eq!(refusal("v \x1b[2J\0").1, Reason::BadNumber { word: "\u{FFFD}[2J\u{FFFD}".into() });
 }
 
 #[test]
