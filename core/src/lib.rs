@@ -10,12 +10,15 @@ extern crate alloc;
 
 pub mod boundary;
 pub mod corner;
+pub mod defects;
 pub mod fans;
 pub mod footprint;
 pub mod memory;
 pub mod neighbours;
 pub mod pairing;
+pub mod repair;
 pub mod ring;
+pub mod union_find;
 
 mod adjacency;
 mod boundaries;
