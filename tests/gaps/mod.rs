@@ -6,7 +6,7 @@ use std::borrow::Cow;
 
 /// Half-edges count down from the last face to the first, four numbers a face, of which one is no half-edge.
 #[derive(Clone, Debug)]
-pub struct Gaps(SharedVertex);
+pub(crate) struct Gaps(SharedVertex);
 
 impl Gaps {
     fn corner(&self, h: HalfEdgeId) -> HalfEdgeId {

@@ -3,15 +3,15 @@ use onering::conformance::Flaw;
 use onering::{BuildError, corner};
 
 /// What there is to know of a face list.
-pub struct Naive {
-    pub opposite: Vec<Option<usize>>,
+pub(crate) struct Naive {
+    pub(crate) opposite: Vec<Option<usize>>,
     /// The half-edges of each irregular edge, ascending; by the first.
-    pub irregular: Vec<Vec<usize>>,
+    pub(crate) irregular: Vec<Vec<usize>>,
 }
 
 /// The first face that is no triangle over `vertices`; a backend that holds degenerate ones looks for vertices out
 /// of range only.
-pub fn face_error(vertices: usize, faces: &[[u32; 3]], holds: &[Flaw]) -> Option<BuildError> {
+pub(crate) fn face_error(vertices: usize, faces: &[[u32; 3]], holds: &[Flaw]) -> Option<BuildError> {
     for (face, &[a, b, c]) in faces.iter().enumerate() {
         for vertex in [a, b, c] {
             if vertex as usize >= vertices {
@@ -28,7 +28,7 @@ pub fn face_error(vertices: usize, faces: &[[u32; 3]], holds: &[Flaw]) -> Option
 
 impl Naive {
     /// Pairs faces that name vertices in range.
-    pub fn of(faces: &[[u32; 3]]) -> Self {
+    pub(crate) fn of(faces: &[[u32; 3]]) -> Self {
         let ends = |h| (corner::origin(faces, h), corner::target(faces, h));
         let count = 3 * faces.len();
         let mut naive = Naive { opposite: vec![None; count], irregular: Vec::new() };
@@ -46,7 +46,7 @@ impl Naive {
     }
 
     /// The irregular edge that is found out first, as faces are read.
-    pub fn edge_error(&self, faces: &[[u32; 3]], holds: &[Flaw]) -> Option<BuildError> {
+    pub(crate) fn edge_error(&self, faces: &[[u32; 3]], holds: &[Flaw]) -> Option<BuildError> {
         let (mut first, mut error) = (usize::MAX, None);
         for edge in &self.irregular {
             let flaw = if edge.len() == 2 { Flaw::SameDirection } else { Flaw::NonManifoldEdge };
@@ -60,7 +60,12 @@ impl Naive {
     }
 
     /// The lowest vertex of several fans: groups of its half-edges that opposites connect.
-    pub fn vertex_error(&self, vertices: usize, faces: &[[u32; 3]], holds: &[Flaw]) -> Option<BuildError> {
+    pub(crate) fn vertex_error(
+        &self,
+        vertices: usize,
+        faces: &[[u32; 3]],
+        holds: &[Flaw],
+    ) -> Option<BuildError> {
         if holds.contains(&Flaw::SeveralFans) {
             return None;
         }
@@ -90,7 +95,7 @@ fn edge_error(faces: &[[u32; 3]], edge: &[usize]) -> BuildError {
 }
 
 /// The error of a backend that holds no flaws but these.
-pub fn error(vertices: usize, faces: &[[u32; 3]], holds: &[Flaw]) -> Option<BuildError> {
+pub(crate) fn error(vertices: usize, faces: &[[u32; 3]], holds: &[Flaw]) -> Option<BuildError> {
     face_error(vertices, faces, holds).or_else(|| {
         let naive = Naive::of(faces);
         naive.edge_error(faces, holds).or_else(|| naive.vertex_error(vertices, faces, holds))

@@ -3,7 +3,7 @@ use onering::conformance::torus;
 use proptest::prelude::*;
 
 /// Number of vertices, and faces.
-pub type List = (usize, Vec<[u32; 3]>);
+pub(crate) type List = (usize, Vec<[u32; 3]>);
 
 /// Any faces over a few vertices, now and then with one out of range.
 fn any_faces() -> impl Strategy<Value = List> {
@@ -52,6 +52,6 @@ fn pieces() -> impl Strategy<Value = List> {
 }
 
 /// Everything above.
-pub fn lists() -> impl Strategy<Value = List> {
+pub(crate) fn lists() -> impl Strategy<Value = List> {
     prop_oneof![any_faces(), proper_faces(), pieces()]
 }
