@@ -18,15 +18,15 @@ pub mod euler;
 pub mod fans;
 pub mod footprint;
 pub mod k_ring;
-pub mod link;
 pub mod memory;
 pub mod neighbours;
 pub mod orientation;
 pub mod pairing;
 pub mod repair;
 pub mod ring;
-pub mod union_find;
+pub mod star;
 pub mod umbrella;
+pub mod union_find;
 
 mod adjacency;
 mod boundaries;
