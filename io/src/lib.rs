@@ -1,1 +1,44 @@
 //! Mesh files in and out of onering.
+//!
+//! [`load`] reads a file, [`read`] reads bytes; both give [`Triangles`]: positions, faces, how the
+//! polygons were cut, and [notes](Note) on what was left out. What cannot be read is an [`Error`] that
+//! names the line or the element at fault. No input makes a reader panic, and memory is taken only for
+//! what the input's own bytes can fill.
+//!
+//! | format | extensions | module |
+//! |---|---|---|
+//! | Wavefront OBJ | `.obj` | [`obj`] |
+//! | glTF 2.0 | `.gltf`, `.glb` | [`gltf`] |
+//!
+//! ```
+//! let square = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+//! let mesh = onering_io::read(square)?;
+//! assert_eq!(mesh.faces, [[0, 1, 2], [0, 2, 3]]);
+//! assert_eq!(mesh.polygon_count(), 1);
+//! # Ok::<(), onering_io::Error>(())
+//! ```
+//!
+//! # What every reader keeps to
+//! - Vertices and faces come in the order of the file. No vertex is dropped or merged.
+//! - A polygon `a b c d ...` becomes the fan `a b c`, `a c d`, ... from its first corner.
+//! - Coordinates are `f32`, each rounded once from what the file says. `inf` and `nan` are kept where a
+//!   file has them.
+//! - Degenerate, duplicate and non-manifold faces are kept: finding and mending them is the library's work.
+
+mod beside;
+mod error;
+mod format;
+pub mod gltf;
+mod load;
+mod memory;
+mod number;
+pub mod obj;
+#[cfg(feature = "tobj")]
+pub mod obj_attributes;
+mod text;
+mod triangles;
+
+pub use error::{Error, Item, Place, Reason};
+pub use format::Format;
+pub use load::{load, read, read_as};
+pub use triangles::{Note, Skipped, Triangles};

@@ -1,0 +1,289 @@
+//! What can go wrong, where, and why.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::Format;
+
+/// Why a mesh file could not be read. Its `Display` is one line that names the file where it is known:
+/// `part.obj:20: face names vertex 12, but there are 8`.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The file, or one that it refers to, could not be read.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The file that could not be read.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// Neither the content nor the extension is one of a format that this crate reads.
+    #[error("{}not a known mesh format; supported are {}", Colon(path), Format::list())]
+    UnknownFormat {
+        /// The file, where [`load`](crate::load) was asked for one.
+        path: Option<PathBuf>,
+    },
+    /// The file contradicts itself or its format.
+    #[error("{}{reason}", Location { path, format: *format, place: *place })]
+    Malformed {
+        /// What it was read as.
+        format: Format,
+        /// The file, where [`load`](crate::load) was asked for one.
+        path: Option<PathBuf>,
+        /// The line or the element at fault.
+        place: Place,
+        /// What is wrong there.
+        reason: Reason,
+    },
+    /// The file needs something that its format allows and this crate does not read.
+    #[error("{}needs {feature}, which is not supported", Location { path, format: *format, place: *place })]
+    Unsupported {
+        /// What it was read as.
+        format: Format,
+        /// The file, where [`load`](crate::load) was asked for one.
+        path: Option<PathBuf>,
+        /// The element that needs it.
+        place: Place,
+        /// What is needed, such as the name of a glTF extension.
+        feature: String,
+    },
+    /// Memory ran out.
+    #[error("{}out of memory: {bytes} bytes", Colon(path))]
+    OutOfMemory {
+        /// The file, where [`load`](crate::load) was asked for one.
+        path: Option<PathBuf>,
+        /// The size of the one array that did not fit.
+        bytes: usize,
+    },
+}
+
+impl Error {
+    /// The same error, naming the file; errors of the system name theirs already.
+    pub(crate) fn in_file(mut self, file: &Path) -> Self {
+        match &mut self {
+            Self::Io { .. } => {}
+            Self::UnknownFormat { path }
+            | Self::Malformed { path, .. }
+            | Self::Unsupported { path, .. }
+            | Self::OutOfMemory { path, .. } => *path = Some(file.to_owned()),
+        }
+        self
+    }
+
+    pub(crate) fn malformed(format: Format, place: Place, reason: Reason) -> Self {
+        Self::Malformed { format, path: None, place, reason }
+    }
+}
+
+/// Where in a file. Lines count from 1, everything else from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Place {
+    /// The file as a whole.
+    File,
+    /// A line of a text file; where a backslash continues it, the first line.
+    Line(usize),
+    /// A byte of a binary file.
+    Byte(usize),
+    /// A buffer of a glTF document.
+    Buffer(usize),
+    /// A primitive of a glTF document.
+    Primitive {
+        /// Index of the mesh.
+        mesh: usize,
+        /// Index of the primitive in the mesh.
+        primitive: usize,
+    },
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File => write!(f, "the whole file"),
+            Self::Line(line) => write!(f, "line {line}"),
+            Self::Byte(byte) => write!(f, "byte {byte}"),
+            Self::Buffer(buffer) => write!(f, "buffer {buffer}"),
+            Self::Primitive { mesh, primitive } => write!(f, "mesh {mesh} primitive {primitive}"),
+        }
+    }
+}
+
+/// What is wrong at a place.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Reason {
+    /// A corner of a face is no vertex of the file.
+    #[error("face names vertex {index}, but there are {vertices}")]
+    IndexOutOfRange {
+        /// The index as the file writes it; it may be too large for any integer type.
+        index: String,
+        /// How many vertices there are; for a negative index, how many come before it.
+        vertices: usize,
+    },
+    /// A corner of a face is 0, in a format that counts from 1.
+    #[error("face names vertex 0, but vertices are counted from 1")]
+    IndexZero,
+    /// A word that should be an index is none.
+    #[error("`{word}` is not a vertex index")]
+    BadIndex {
+        /// The word, or its beginning.
+        word: String,
+    },
+    /// A word that should be a number is none.
+    #[error("`{word}` is not a number")]
+    BadNumber {
+        /// The word, or its beginning.
+        word: String,
+    },
+    /// A vertex with fewer than three coordinates.
+    #[error("a vertex needs 3 coordinates, but has {found}")]
+    TooFewCoordinates {
+        /// How many it has.
+        found: usize,
+    },
+    /// Nothing in the file looks like its format.
+    #[error("this is not {expected}")]
+    NotThisFormat {
+        /// What it should have been.
+        expected: &'static str,
+    },
+    /// The format has versions, and this is one that is not read.
+    #[error("version {version:?} is not supported, only 2 is")]
+    Version {
+        /// The version that the file claims.
+        version: String,
+    },
+    /// Something ends before it should.
+    #[error("{item} needs {needed} bytes, but there are {available}")]
+    TooShort {
+        /// What ends too early.
+        item: Item,
+        /// Bytes that it should have.
+        needed: u64,
+        /// Bytes that are there.
+        available: u64,
+    },
+    /// A reference to an element that does not exist.
+    #[error("names {item}, but there are {count}")]
+    NoSuchItem {
+        /// What is named.
+        item: Item,
+        /// How many of its kind there are.
+        count: usize,
+    },
+    /// An element whose fields do not fit its use.
+    #[error("{item}: {problem}")]
+    BadItem {
+        /// The element.
+        item: Item,
+        /// What does not fit.
+        problem: &'static str,
+    },
+    /// The JSON is none, or lacks a field, or has a field of the wrong type.
+    #[error("bad JSON: {message}")]
+    Json {
+        /// What the JSON reader said, with line and column.
+        message: String,
+    },
+    /// A reference to another file that is not followed.
+    #[error("`{uri}` is not opened: {problem}")]
+    Uri {
+        /// The reference, or its beginning.
+        uri: String,
+        /// Why it is not opened.
+        problem: &'static str,
+    },
+    /// More vertices or faces than `u32` can name.
+    #[error("more than {} vertices or faces", u32::MAX)]
+    TooMany,
+    /// The mesh would be out of all proportion to the file.
+    #[error(
+        "the mesh would have {elements} vertices and faces, far more than the file's {bytes} bytes justify"
+    )]
+    OutOfProportion {
+        /// Vertices and faces, counted together.
+        elements: u64,
+        /// Bytes of the file and of all its buffers.
+        bytes: u64,
+    },
+    /// Attributes beside the faces do not belong to them.
+    #[error("attributes do not match the faces: {problem}")]
+    Attributes {
+        /// What does not match.
+        problem: String,
+    },
+}
+
+/// A part of a binary file or of a glTF document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Item {
+    /// The file as a whole.
+    File,
+    /// The header of a GLB file.
+    Header,
+    /// A chunk of a GLB file, by its position.
+    Chunk(usize),
+    /// A glTF buffer.
+    Buffer(usize),
+    /// A glTF bufferView.
+    BufferView(usize),
+    /// A glTF accessor.
+    Accessor(usize),
+    /// The sparse part of a glTF accessor.
+    Sparse(usize),
+}
+
+impl fmt::Display for Item {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File => write!(f, "the file"),
+            Self::Header => write!(f, "the header"),
+            Self::Chunk(i) => write!(f, "chunk {i}"),
+            Self::Buffer(i) => write!(f, "buffer {i}"),
+            Self::BufferView(i) => write!(f, "bufferView {i}"),
+            Self::Accessor(i) => write!(f, "accessor {i}"),
+            Self::Sparse(i) => write!(f, "sparse accessor {i}"),
+        }
+    }
+}
+
+/// `path: `, or nothing.
+struct Colon<'a>(&'a Option<PathBuf>);
+
+impl fmt::Display for Colon<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|path| write!(f, "{}: ", path.display()))
+    }
+}
+
+/// `path:line: ` as compilers write it, `path: element: `, or `OBJ line 3: ` where there is no path.
+struct Location<'a> {
+    path: &'a Option<PathBuf>,
+    format: Format,
+    place: Place,
+}
+
+impl fmt::Display for Location<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.path, self.place) {
+            (Some(path), Place::File) => write!(f, "{}: ", path.display()),
+            (Some(path), Place::Line(line)) => write!(f, "{}:{line}: ", path.display()),
+            (Some(path), place) => write!(f, "{}: {place}: ", path.display()),
+            (None, Place::File) => write!(f, "{}: ", self.format),
+            (None, place) => write!(f, "{} {place}: ", self.format),
+        }
+    }
+}
+
+/// Words quoted in an error are cut here: a file may hold one word of a gigabyte.
+const QUOTED: usize = 60;
+
+/// The word as text; bytes that are no UTF-8 become replacement characters.
+pub(crate) fn quote(word: &[u8]) -> String {
+    let cut = &word[..word.len().min(QUOTED)];
+    let dots = if cut.len() < word.len() { "..." } else { "" };
+    String::from_utf8_lossy(cut).into_owned() + dots
+}

@@ -1,0 +1,117 @@
+//! glTF 2.0, as JSON or as a GLB: the triangles of all meshes.
+//!
+//! - Meshes come in document order, each once, however often nodes show it. Transforms of nodes are not
+//!   applied; nodes, scenes, materials and animations are not even looked at.
+//! - Each primitive appends its whole `POSITION` accessor: nothing is shared or merged between primitives.
+//! - Triangle lists, strips and fans are read, indexed or not; points and lines are skipped, with a
+//!   [note](Triangles::notes).
+//! - Sparse accessors, strides and quantised positions (`KHR_mesh_quantization`) are read. Coordinates
+//!   other than `f32` become `f32`; where the accessor says `normalized`, they are scaled to -1 ..= 1 first.
+//! - An extension in `extensionsRequired` that may change geometry is an error that names it.
+//!
+//! The document is read into this module's own few structures instead of the crate `gltf`, which serves as
+//! a second opinion in the tests. Version 1.4.1 of it panics when it validates a primitive whose `POSITION`
+//! names no accessor, and when a GLB claims fewer than 12 bytes; it cuts indices of 2^32 and more down to 32
+//! bits, so that they name another element; and it refuses `KHR_mesh_quantization`.
+
+mod accessor;
+mod buffers;
+mod glb;
+mod primitive;
+mod schema;
+
+use std::path::Path;
+
+use self::accessor::Source;
+use self::primitive::Assembly;
+use self::schema::Document;
+use crate::{Error, Format, Place, Reason, Triangles};
+
+/// The first bytes of every GLB.
+pub(crate) const MAGIC: &[u8] = b"glTF";
+
+/// Required extensions that leave positions and faces of the meshes as they are: they concern materials,
+/// textures, lights and nodes. `KHR_mesh_quantization` is the one that does, and it is read.
+const HARMLESS: [&str; 7] = [
+    "KHR_mesh_quantization",
+    "KHR_lights_punctual",
+    "KHR_xmp_json_ld",
+    "KHR_node_visibility",
+    "KHR_animation_pointer",
+    "EXT_mesh_gpu_instancing",
+    "EXT_lights_image_based",
+];
+const HARMLESS_BEGINNINGS: [&str; 3] = ["KHR_materials_", "KHR_texture_", "EXT_texture_"];
+
+/// Reads a glTF document or a GLB, whichever it is, whose buffers are all in it.
+///
+/// # Errors
+/// As [`read_beside`]; a buffer in another file is [`Reason::Uri`].
+pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
+    read_format(bytes, format_of(bytes), None)
+}
+
+/// Reads a glTF document or a GLB whose buffers may be files in `folder`, or below it.
+///
+/// Only relative names are followed, percent-decoded: no absolute path, no `..`, no scheme such as `http:`,
+/// and no link that leads out of the folder. Of each file no more is read than the buffer's `byteLength`.
+/// Memory is proportional to the input: the mesh may have up to 16 vertices and faces for each byte of it,
+/// or a million in all.
+///
+/// # Errors
+/// [`Error::Malformed`] with the mesh and primitive, or the buffer, at fault: broken JSON or GLB chunks, an
+/// element that does not exist, an accessor that leaves its bufferView or buffer, a corner that names no
+/// vertex, a reference that is not followed. [`Error::Unsupported`] for required extensions.
+/// [`Error::Io`] names the buffer's file that could not be read.
+pub fn read_beside(bytes: &[u8], folder: &Path) -> Result<Triangles, Error> {
+    read_format(bytes, format_of(bytes), Some(folder))
+}
+
+pub(crate) fn read_format(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Triangles, Error> {
+    let malformed = |place, reason| Error::malformed(format, place, reason);
+    let glb::Parts { json, bin } = match format {
+        Format::Glb => glb::split(bytes)?,
+        _ => glb::Parts { json: without_byte_order_mark(bytes), bin: None },
+    };
+    let document: Document = serde_json::from_slice(json)
+        .map_err(|error| malformed(Place::File, Reason::Json { message: error.to_string() }))?;
+    check_version(&document).map_err(|reason| malformed(Place::File, reason))?;
+    if let Some(feature) = unsupported_extension(&document) {
+        return Err(Error::Unsupported { format, path: None, place: Place::File, feature });
+    }
+    let mut assembly = Assembly::new(Source::new(&document, format, bin, folder, bytes.len() as u64));
+    for (i, mesh) in document.meshes.iter().enumerate() {
+        for (j, primitive) in mesh.primitives.iter().enumerate() {
+            assembly.add(primitive, Place::Primitive { mesh: i, primitive: j })?;
+        }
+    }
+    Ok(assembly.finish())
+}
+
+fn format_of(bytes: &[u8]) -> Format {
+    if bytes.starts_with(MAGIC) { Format::Glb } else { Format::Gltf }
+}
+
+/// Whether the first character is the `{` of a JSON object.
+pub(crate) fn looks_like_json(bytes: &[u8]) -> bool {
+    without_byte_order_mark(bytes).trim_ascii_start().first() == Some(&b'{')
+}
+
+fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
+}
+
+fn check_version(document: &Document) -> Result<(), Reason> {
+    let version = &document.asset.version;
+    if version == "2" || version.starts_with("2.") {
+        return Ok(());
+    }
+    Err(Reason::Version { version: crate::error::quote(version.as_bytes()) })
+}
+
+fn unsupported_extension(document: &Document) -> Option<String> {
+    let is_harmless = |name: &str| {
+        HARMLESS.contains(&name) || HARMLESS_BEGINNINGS.iter().any(|beginning| name.starts_with(beginning))
+    };
+    document.extensions_required.iter().find(|name| !is_harmless(name)).cloned()
+}

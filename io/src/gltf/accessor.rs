@@ -1,0 +1,288 @@
+//! Positions and indices out of accessors. Every range is checked before a byte of the result is allocated.
+
+use std::path::Path;
+
+use super::buffers::Buffers;
+use super::schema::{Accessor, Document};
+use crate::memory::reserve;
+use crate::{Error, Format, Item, Place, Reason};
+
+/// Vertices and faces that a byte of input may give. Primitives may share an accessor, so a document may
+/// stand for a mesh larger than itself: with k primitives on one list of vertices about k / 36 a byte. A
+/// hostile one could ask for their product; this stops it.
+const ELEMENTS_PER_BYTE: u64 = 16;
+/// Vertices and faces that are allowed in any case.
+const ELEMENTS_ALWAYS: u64 = 1 << 20;
+
+/// A document with its buffers.
+pub(super) struct Source<'a> {
+    document: &'a Document,
+    buffers: Buffers<'a>,
+    pub(super) format: Format,
+    input_bytes: u64,
+}
+
+/// The types of a component, by the numbers of OpenGL.
+#[derive(Clone, Copy, PartialEq)]
+enum Component {
+    I8,
+    U8,
+    I16,
+    U16,
+    U32,
+    F32,
+}
+
+/// Where the elements of an accessor lie: `count` of them, `stride` bytes apart, all within the buffer.
+struct Layout {
+    buffer: usize,
+    start: usize,
+    stride: usize,
+    count: usize,
+}
+
+impl<'a> Source<'a> {
+    pub(super) fn new(
+        document: &'a Document,
+        format: Format,
+        bin: Option<&'a [u8]>,
+        folder: Option<&'a Path>,
+        input_bytes: u64,
+    ) -> Self {
+        let buffers = Buffers::new(&document.buffers, format, bin, folder);
+        Self { document, buffers, format, input_bytes }
+    }
+
+    /// Refuses a mesh out of all proportion to the input.
+    pub(super) fn check_proportion(&self, elements: u64, place: Place) -> Result<(), Error> {
+        let bytes = self.input_bytes.saturating_add(self.buffers.loaded_bytes());
+        if elements <= ELEMENTS_ALWAYS.max(bytes.saturating_mul(ELEMENTS_PER_BYTE)) {
+            return Ok(());
+        }
+        Err(self.malformed(place, Reason::OutOfProportion { elements, bytes }))
+    }
+
+    /// How many elements an accessor says that it has.
+    pub(super) fn count(&self, i: usize, place: Place) -> Result<u64, Error> {
+        self.accessor(i, place).map(|accessor| accessor.count)
+    }
+
+    /// Whether any bytes stand behind accessor `i`.
+    pub(super) fn has_data(&self, i: usize, place: Place) -> Result<bool, Error> {
+        self.accessor(i, place).map(|accessor| accessor.buffer_view.is_some() || accessor.sparse.is_some())
+    }
+
+    /// Appends the positions in accessor `i`.
+    pub(super) fn positions(&mut self, i: usize, place: Place, out: &mut Vec<[f32; 3]>) -> Result<(), Error> {
+        let accessor = self.accessor(i, place)?;
+        let component = self.component(accessor.component_type, Item::Accessor(i), place)?;
+        if accessor.shape != "VEC3" || component == Component::U32 {
+            return Err(self.bad(Item::Accessor(i), place, "positions must be VEC3 of floats"));
+        }
+        let quantised = self.document.extensions_required.iter().any(|name| name == "KHR_mesh_quantization");
+        if component != Component::F32 && !quantised {
+            let problem = "positions other than floats need KHR_mesh_quantization";
+            return Err(self.bad(Item::Accessor(i), place, problem));
+        }
+        let decode = |bytes: &[u8]| vector(bytes, component, accessor.normalized);
+        self.elements(i, place, 3 * component.size(), decode, out)
+    }
+
+    /// The indices in accessor `i`.
+    pub(super) fn indices(&mut self, i: usize, place: Place) -> Result<Vec<u32>, Error> {
+        let accessor = self.accessor(i, place)?;
+        let component = self.component(accessor.component_type, Item::Accessor(i), place)?;
+        if accessor.shape != "SCALAR" || !component.is_unsigned() {
+            return Err(self.bad(Item::Accessor(i), place, "indices must be SCALAR of unsigned integers"));
+        }
+        let mut out = Vec::new();
+        self.elements(i, place, component.size(), |bytes| unsigned(bytes, component), &mut out)?;
+        Ok(out)
+    }
+
+    /// Appends the elements of accessor `i`, each decoded from `size` bytes.
+    fn elements<T: Copy + Default>(
+        &mut self,
+        i: usize,
+        place: Place,
+        size: usize,
+        decode: impl Fn(&[u8]) -> T,
+        out: &mut Vec<T>,
+    ) -> Result<(), Error> {
+        let accessor = self.accessor(i, place)?;
+        let first = out.len();
+        match accessor.buffer_view {
+            Some(view) => {
+                let layout =
+                    self.layout(view, accessor.byte_offset, accessor.count, size, Item::Accessor(i), place)?;
+                reserve(out, layout.count)?;
+                out.extend(self.slices(&layout, size).map(&decode));
+            }
+            None => {
+                // All zero, by the standard. No byte backs them, so the proportion is all that bounds them.
+                self.check_proportion(accessor.count, place)?;
+                reserve(out, accessor.count as usize)?;
+                out.resize(first + accessor.count as usize, T::default());
+            }
+        }
+        self.replace_sparse(i, place, size, decode, &mut out[first..])
+    }
+
+    /// Overwrites the elements that the sparse part of accessor `i` lists.
+    fn replace_sparse<T>(
+        &mut self,
+        i: usize,
+        place: Place,
+        size: usize,
+        decode: impl Fn(&[u8]) -> T,
+        out: &mut [T],
+    ) -> Result<(), Error> {
+        let Some(sparse) = &self.accessor(i, place)?.sparse else { return Ok(()) };
+        let item = Item::Sparse(i);
+        let (indices, values) = (&sparse.indices, &sparse.values);
+        let component = self.component(indices.component_type, item, place)?;
+        if !component.is_unsigned() {
+            return Err(self.bad(item, place, "indices must be unsigned integers"));
+        }
+        let width = component.size();
+        let names =
+            self.layout(indices.buffer_view, indices.byte_offset, sparse.count, width, item, place)?;
+        let news = self.layout(values.buffer_view, values.byte_offset, sparse.count, size, item, place)?;
+        for (name, new) in self.slices(&names, width).zip(self.slices(&news, size)) {
+            let slot = out.get_mut(unsigned(name, component) as usize);
+            *slot.ok_or_else(|| self.bad(item, place, "it replaces an element beyond the last"))? =
+                decode(new);
+        }
+        Ok(())
+    }
+
+    /// Where `count` elements of `size` bytes lie in a bufferView, once that is known to be true.
+    fn layout(
+        &mut self,
+        view: usize,
+        offset: u64,
+        count: u64,
+        size: usize,
+        item: Item,
+        place: Place,
+    ) -> Result<Layout, Error> {
+        let views = &self.document.buffer_views;
+        let buffer_view =
+            views.get(view).ok_or_else(|| self.missing(Item::BufferView(view), views.len(), place))?;
+        let buffer = buffer_view.buffer;
+        if buffer >= self.buffers.count() {
+            return Err(self.missing(Item::Buffer(buffer), self.buffers.count(), place));
+        }
+        let stride = buffer_view.byte_stride.filter(|stride| *stride != 0).unwrap_or(size as u64);
+        if stride < size as u64 {
+            return Err(self.bad(Item::BufferView(view), place, "elements overlap: byteStride is too small"));
+        }
+        let needed = match count {
+            0 => 0,
+            _ => (count - 1).saturating_mul(stride).saturating_add(offset).saturating_add(size as u64),
+        };
+        self.check_fits(item, needed, buffer_view.byte_length, place)?;
+        self.buffers.load(buffer)?;
+        let available = self.buffers.bytes(buffer).len() as u64;
+        self.check_fits(item, needed.saturating_add(buffer_view.byte_offset), available, place)?;
+        // All of these are at most `available`, or are not used where there is no element.
+        let start = if count == 0 { 0 } else { (buffer_view.byte_offset + offset) as usize };
+        let stride = usize::try_from(stride).unwrap_or(usize::MAX);
+        Ok(Layout { buffer, start, stride, count: count as usize })
+    }
+
+    /// The bytes of each element.
+    fn slices(&self, layout: &Layout, size: usize) -> impl Iterator<Item = &[u8]> {
+        let all = self.buffers.bytes(layout.buffer);
+        // The last element may end before its stride does.
+        let end = match layout.count {
+            0 => layout.start,
+            count => layout.start + (count - 1) * layout.stride + size,
+        };
+        all[layout.start..end].chunks(layout.stride).map(move |chunk| &chunk[..size])
+    }
+
+    fn accessor(&self, i: usize, place: Place) -> Result<&'a Accessor, Error> {
+        let accessors = &self.document.accessors;
+        accessors.get(i).ok_or_else(|| self.missing(Item::Accessor(i), accessors.len(), place))
+    }
+
+    fn component(&self, number: u64, item: Item, place: Place) -> Result<Component, Error> {
+        Component::of(number).ok_or_else(|| self.bad(item, place, "unknown componentType"))
+    }
+
+    fn check_fits(&self, item: Item, needed: u64, available: u64, place: Place) -> Result<(), Error> {
+        if needed <= available {
+            return Ok(());
+        }
+        Err(self.malformed(place, Reason::TooShort { item, needed, available }))
+    }
+
+    fn missing(&self, item: Item, count: usize, place: Place) -> Error {
+        self.malformed(place, Reason::NoSuchItem { item, count })
+    }
+
+    fn bad(&self, item: Item, place: Place, problem: &'static str) -> Error {
+        self.malformed(place, Reason::BadItem { item, problem })
+    }
+
+    pub(super) fn malformed(&self, place: Place, reason: Reason) -> Error {
+        Error::malformed(self.format, place, reason)
+    }
+}
+
+impl Component {
+    fn of(number: u64) -> Option<Self> {
+        Some(match number {
+            5120 => Self::I8,
+            5121 => Self::U8,
+            5122 => Self::I16,
+            5123 => Self::U16,
+            5125 => Self::U32,
+            5126 => Self::F32,
+            _ => return None,
+        })
+    }
+
+    fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::U32 | Self::F32 => 4,
+        }
+    }
+
+    fn is_unsigned(self) -> bool {
+        matches!(self, Self::U8 | Self::U16 | Self::U32)
+    }
+}
+
+fn bytes_of<const N: usize>(bytes: &[u8]) -> [u8; N] {
+    std::array::from_fn(|i| bytes[i])
+}
+
+fn unsigned(bytes: &[u8], component: Component) -> u32 {
+    match component.size() {
+        1 => u32::from(bytes[0]),
+        2 => u32::from(u16::from_le_bytes(bytes_of(bytes))),
+        _ => u32::from_le_bytes(bytes_of(bytes)),
+    }
+}
+
+fn vector(bytes: &[u8], component: Component, normalized: bool) -> [f32; 3] {
+    std::array::from_fn(|i| coordinate(&bytes[i * component.size()..], component, normalized))
+}
+
+/// One coordinate; normalised integers by the formulas of glTF 2.0, section 3.11.
+fn coordinate(bytes: &[u8], component: Component, normalized: bool) -> f32 {
+    let (value, top) = match component {
+        Component::F32 => return f32::from_le_bytes(bytes_of(bytes)),
+        Component::I8 => (f32::from(bytes[0] as i8), f32::from(i8::MAX)),
+        Component::I16 => (f32::from(i16::from_le_bytes(bytes_of(bytes))), f32::from(i16::MAX)),
+        Component::U8 => (f32::from(bytes[0]), f32::from(u8::MAX)),
+        Component::U16 | Component::U32 => {
+            (f32::from(u16::from_le_bytes(bytes_of(bytes))), f32::from(u16::MAX))
+        }
+    };
+    if normalized { (value / top).max(-1.0) } else { value }
+}

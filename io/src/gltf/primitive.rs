@@ -1,0 +1,153 @@
+//! Primitives to triangles.
+
+use super::accessor::Source;
+use super::schema::Primitive;
+use crate::memory::reserve;
+use crate::triangles::skip;
+use crate::{Error, Place, Reason, Skipped, Triangles};
+
+/// The ways in which corners make triangles.
+#[derive(Clone, Copy)]
+enum Mode {
+    List,
+    Strip,
+    Fan,
+}
+
+/// The mesh so far.
+pub(super) struct Assembly<'a> {
+    source: Source<'a>,
+    out: Triangles,
+}
+
+impl<'a> Assembly<'a> {
+    pub(super) fn new(source: Source<'a>) -> Self {
+        Self { source, out: Triangles::default() }
+    }
+
+    /// Appends the vertices and triangles of a primitive, or a note on why it has none.
+    pub(super) fn add(&mut self, primitive: &Primitive, place: Place) -> Result<(), Error> {
+        let number = primitive.mode.unwrap_or(4);
+        let Some(mode) = Mode::of(number) else {
+            let what = if number < 4 { Skipped::PrimitiveMode(number) } else { Skipped::UnknownModes };
+            skip(&mut self.out.notes, what, 1, place);
+            return Ok(());
+        };
+        let Some(position) = primitive.attributes.position else {
+            skip(&mut self.out.notes, Skipped::NoPositions, 1, place);
+            return Ok(());
+        };
+        self.check_draco(primitive, position, place)?;
+        let base = self.out.positions.len();
+        self.add_positions(position, place)?;
+        let count = self.out.positions.len() - base;
+        match primitive.indices {
+            Some(indices) => {
+                let corners = self.source.indices(indices, place)?;
+                self.check_corners(&corners, count, place)?;
+                self.add_faces(mode, corners.len(), |i| base as u32 + corners[i], place)
+            }
+            None => self.add_faces(mode, count, |i| (base + i) as u32, place),
+        }
+    }
+
+    pub(super) fn finish(mut self) -> Triangles {
+        if !self.out.faces.is_empty() {
+            self.out.polygon_sizes.insert(3, self.out.faces.len());
+        }
+        self.out
+    }
+
+    /// A primitive may hold its data twice, plain and compressed. Without the plain data it would be read
+    /// as vertices that are all zero.
+    fn check_draco(&self, primitive: &Primitive, position: usize, place: Place) -> Result<(), Error> {
+        if primitive.extensions.draco.is_none() || self.source.has_data(position, place)? {
+            return Ok(());
+        }
+        let feature = "KHR_draco_mesh_compression".to_owned();
+        Err(Error::Unsupported { format: self.source.format, path: None, place, feature })
+    }
+
+    fn add_positions(&mut self, accessor: usize, place: Place) -> Result<(), Error> {
+        let more = self.source.count(accessor, place)?;
+        self.check_size(self.out.positions.len() as u64, more, place)?;
+        self.source.positions(accessor, place, &mut self.out.positions)?;
+        self.source.check_proportion(self.element_count(), place)
+    }
+
+    fn check_corners(&self, corners: &[u32], count: usize, place: Place) -> Result<(), Error> {
+        match corners.iter().find(|corner| **corner as usize >= count) {
+            None => Ok(()),
+            Some(corner) => {
+                let reason = Reason::IndexOutOfRange { index: corner.to_string(), vertices: count };
+                Err(self.source.malformed(place, reason))
+            }
+        }
+    }
+
+    /// Appends the triangles of `count` corners, the i-th of which is `corner(i)`.
+    fn add_faces(
+        &mut self,
+        mode: Mode,
+        count: usize,
+        corner: impl Fn(usize) -> u32,
+        place: Place,
+    ) -> Result<(), Error> {
+        let faces = mode.face_count(count);
+        self.check_size(self.out.faces.len() as u64, faces as u64, place)?;
+        self.source.check_proportion(self.element_count() + faces as u64, place)?;
+        reserve(&mut self.out.faces, faces)?;
+        self.out.faces.extend((0..faces).map(|i| mode.corners(i).map(&corner)));
+        let loose = mode.loose_corners(count);
+        if loose > 0 {
+            skip(&mut self.out.notes, Skipped::LooseCorners, loose, place);
+        }
+        Ok(())
+    }
+
+    fn element_count(&self) -> u64 {
+        (self.out.positions.len() + self.out.faces.len()) as u64
+    }
+
+    fn check_size(&self, count: u64, more: u64, place: Place) -> Result<(), Error> {
+        if count.saturating_add(more) <= u64::from(u32::MAX) {
+            return Ok(());
+        }
+        Err(self.source.malformed(place, Reason::TooMany))
+    }
+}
+
+impl Mode {
+    fn of(number: u32) -> Option<Self> {
+        Some(match number {
+            4 => Self::List,
+            5 => Self::Strip,
+            6 => Self::Fan,
+            _ => return None,
+        })
+    }
+
+    fn face_count(self, corners: usize) -> usize {
+        match self {
+            Self::List => corners / 3,
+            Self::Strip | Self::Fan => corners.saturating_sub(2),
+        }
+    }
+
+    fn loose_corners(self, corners: usize) -> usize {
+        match self {
+            Self::List => corners % 3,
+            Self::Strip | Self::Fan if corners < 3 => corners,
+            Self::Strip | Self::Fan => 0,
+        }
+    }
+
+    /// The corners of triangle `i`, by the formulas of glTF 2.0, section 3.7.2.1.
+    fn corners(self, i: usize) -> [usize; 3] {
+        match self {
+            Self::List => [3 * i, 3 * i + 1, 3 * i + 2],
+            Self::Strip => [i, i + 1 + i % 2, i + 2 - i % 2],
+            Self::Fan => [i + 1, i + 2, 0],
+        }
+    }
+}

@@ -1,0 +1,280 @@
+//! Wavefront OBJ: vertices and faces. Everything else is skipped.
+//!
+//! - A corner `a/b/c` is vertex `a`; texture coordinates and normals are ignored (with the feature `tobj`,
+//!   `obj_attributes` reads them). Groups and objects share one list of vertices.
+//! - Indices count from 1, negative ones back from the last vertex so far. A face may name vertices that
+//!   the file defines later.
+//! - `v x y z` may be followed by anything, such as a weight or a colour. It is ignored; a weight does not
+//!   divide the coordinates.
+//! - Coordinates are rounded once, from decimal text to the nearest `f32`. `inf` and `nan` are kept.
+//! - A face of fewer than three corners is skipped, and so are points, lines, curves, surfaces and lines
+//!   with an unknown keyword: [`Triangles::notes`] counts them.
+//! - A backslash continues a line; LF, CRLF and CR end one. Names and comments may be in any encoding.
+
+use crate::error::quote;
+use crate::memory::push;
+use crate::number::{f32_of, index_prefix};
+use crate::text::Scanner;
+use crate::triangles::skip;
+use crate::{Error, Format, Note, Place, Reason, Skipped, Triangles};
+
+/// Elements other than polygons: skipped, with a note.
+const ELEMENTS: [&str; 5] = ["p", "l", "curv", "curv2", "surf"];
+
+/// Keywords whose lines have nothing to do with positions or faces: skipped without a word.
+const OTHERS: [&str; 41] = [
+    "vt",
+    "vn",
+    "vp",
+    "g",
+    "o",
+    "s",
+    "mg",
+    "usemtl",
+    "mtllib",
+    "usemap",
+    "maplib",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "shadow_obj",
+    "trace_obj",
+    "ctech",
+    "stech",
+    "cstype",
+    "deg",
+    "bmat",
+    "step",
+    "parm",
+    "trim",
+    "hole",
+    "scrv",
+    "sp",
+    "end",
+    "con",
+    "call",
+    "csh",
+    "bsp",
+    "bzp",
+    "cdc",
+    "cdp",
+    "res",
+    "mat",
+    "material",
+    "property",
+    "scmp",
+];
+
+/// Reads the vertices and faces of an OBJ file. Linear in its size; besides the result it takes no memory.
+///
+/// # Errors
+/// [`Error::Malformed`] with the line at fault, the first one in the file: a vertex with fewer than three
+/// coordinates or with a word that is no number; a corner that is no index, is 0, or names no vertex of the
+/// file. Also if there are lines, but none that begins with an OBJ keyword. An empty file is an empty mesh.
+pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
+    match Reader::new(bytes, u32::MAX).run() {
+        Ok(reader) if reader.corner_bound as usize <= reader.positions.len() => reader.finish(),
+        Err(error @ Error::OutOfMemory { .. }) => Err(error),
+        // Whether a face's corners exist is known at the end only. Instead of remembering lines in every
+        // file, the few bad files are read twice: now each corner is checked where it stands.
+        _ => {
+            let count =
+                u32::try_from(count_vertices(bytes)).map_err(|_| malformed(Place::File, Reason::TooMany))?;
+            Reader::new(bytes, count).run()?.finish()
+        }
+    }
+}
+
+/// Whether the first word outside comments is an OBJ keyword.
+pub(crate) fn begins_with_keyword(bytes: &[u8]) -> bool {
+    let mut scanner = Scanner::new(bytes);
+    while !scanner.is_at_end() {
+        match scanner.word() {
+            Some(b"v" | b"f" | b"fo") => return true,
+            Some(word) => return find(&ELEMENTS, word).or(find(&OTHERS, word)).is_some(),
+            None => scanner.end_line(),
+        }
+    }
+    false
+}
+
+fn count_vertices(bytes: &[u8]) -> usize {
+    let mut scanner = Scanner::new(bytes);
+    let mut count = 0;
+    while !scanner.is_at_end() {
+        count += usize::from(scanner.word() == Some(b"v"));
+        scanner.end_line();
+    }
+    count
+}
+
+fn find(words: &[&'static str], word: &[u8]) -> Option<&'static str> {
+    words.iter().find(|known| known.as_bytes() == word).copied()
+}
+
+fn malformed(place: Place, reason: Reason) -> Error {
+    Error::malformed(Format::Obj, place, reason)
+}
+
+struct Reader<'a> {
+    scanner: Scanner<'a>,
+    /// How many vertices a corner may name.
+    limit: u32,
+    positions: Vec<[f32; 3]>,
+    faces: Vec<[u32; 3]>,
+    /// `sizes[n]` polygons of n corners; the larger ones are in `polygon_sizes`.
+    sizes: [usize; 8],
+    polygon_sizes: std::collections::BTreeMap<usize, usize>,
+    /// One more than the highest corner of any face.
+    corner_bound: u32,
+    notes: Vec<Note>,
+    /// Lines that are neither empty nor a comment.
+    statements: usize,
+}
+
+impl<'a> Reader<'a> {
+    fn new(bytes: &'a [u8], limit: u32) -> Self {
+        Self {
+            scanner: Scanner::new(bytes),
+            limit,
+            positions: Vec::new(),
+            faces: Vec::new(),
+            sizes: [0; 8],
+            polygon_sizes: Default::default(),
+            corner_bound: 0,
+            notes: Vec::new(),
+            statements: 0,
+        }
+    }
+
+    fn run(mut self) -> Result<Self, Error> {
+        while !self.scanner.is_at_end() {
+            let line = Place::Line(self.scanner.line());
+            if let Some(keyword) = self.scanner.word() {
+                self.statement(keyword, line)?;
+            }
+            self.scanner.end_line();
+        }
+        Ok(self)
+    }
+
+    #[inline(always)]
+    fn statement(&mut self, keyword: &[u8], line: Place) -> Result<(), Error> {
+        self.statements += 1;
+        match keyword {
+            b"v" => self.vertex(line)?,
+            b"f" | b"fo" => self.face(line)?,
+            b"vn" | b"vt" => {}
+            _ => self.other(keyword, line),
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn vertex(&mut self, line: Place) -> Result<(), Error> {
+        let mut position = [0.0; 3];
+        for (found, coordinate) in position.iter_mut().enumerate() {
+            let word =
+                self.scanner.word().ok_or_else(|| malformed(line, Reason::TooFewCoordinates { found }))?;
+            *coordinate =
+                f32_of(word).ok_or_else(|| malformed(line, Reason::BadNumber { word: quote(word) }))?;
+        }
+        push(&mut self.positions, position)
+    }
+
+    #[inline(always)]
+    fn face(&mut self, line: Place) -> Result<(), Error> {
+        let (mut first, mut previous, mut size, mut bound) = (0, 0, 0, 0);
+        let mut beyond = None;
+        while let Some(word) = self.scanner.word() {
+            let corner = self.corner(word, line)?;
+            if corner >= self.limit && beyond.is_none() {
+                beyond = Some(word);
+            }
+            match size {
+                0 => first = corner,
+                1 => {}
+                _ => push(&mut self.faces, [first, previous, corner])?,
+            }
+            bound = bound.max(corner.saturating_add(1));
+            previous = corner;
+            size += 1;
+        }
+        if size < 3 {
+            skip(&mut self.notes, Skipped::ShortFaces, 1, line);
+            return Ok(());
+        }
+        if let Some(word) = beyond {
+            return Err(out_of_range(word, self.limit as usize, line));
+        }
+        self.corner_bound = self.corner_bound.max(bound);
+        self.count_polygon(size);
+        Ok(())
+    }
+
+    /// The vertex that a corner names; `u32::MAX` for any number that is too large for a `u32`.
+    #[inline(always)]
+    fn corner(&self, word: &[u8], line: Place) -> Result<u32, Error> {
+        let bad = || malformed(line, Reason::BadIndex { word: quote(word) });
+        let (negative, index, rest) = index_prefix(word).ok_or_else(bad)?;
+        if !rest.is_empty() && !is_corner_tail(rest) {
+            return Err(bad());
+        }
+        if index == 0 {
+            return Err(malformed(line, Reason::IndexZero));
+        }
+        if !negative {
+            return Ok(u32::try_from(index - 1).unwrap_or(u32::MAX));
+        }
+        let before = self.positions.len();
+        let back = usize::try_from(index).unwrap_or(usize::MAX);
+        let corner = before.checked_sub(back).ok_or_else(|| out_of_range(word, before, line))?;
+        Ok(u32::try_from(corner).unwrap_or(u32::MAX))
+    }
+
+    #[inline(always)]
+    fn count_polygon(&mut self, size: usize) {
+        match self.sizes.get_mut(size) {
+            Some(count) => *count += 1,
+            None => *self.polygon_sizes.entry(size).or_default() += 1,
+        }
+    }
+
+    #[cold]
+    fn other(&mut self, keyword: &[u8], line: Place) {
+        if let Some(element) = find(&ELEMENTS, keyword) {
+            skip(&mut self.notes, Skipped::Elements(element), 1, line);
+        } else if find(&OTHERS, keyword).is_none() {
+            skip(&mut self.notes, Skipped::UnknownStatements, 1, line);
+        }
+    }
+
+    fn finish(mut self) -> Result<Triangles, Error> {
+        if let [Note { what: Skipped::UnknownStatements, count, first }] = self.notes[..]
+            && count == self.statements
+        {
+            let expected = "an OBJ file: no line begins with a keyword of the format";
+            return Err(malformed(first, Reason::NotThisFormat { expected }));
+        }
+        if self.positions.len().max(self.faces.len()) > u32::MAX as usize {
+            return Err(malformed(Place::File, Reason::TooMany));
+        }
+        let small = self.sizes.into_iter().enumerate().filter(|(_, count)| *count > 0);
+        self.polygon_sizes.extend(small);
+        self.positions.shrink_to_fit();
+        self.faces.shrink_to_fit();
+        let Self { positions, faces, polygon_sizes, notes, .. } = self;
+        Ok(Triangles { positions, faces, polygon_sizes, notes })
+    }
+}
+
+/// `/2/3`, `//3`, `/2`, `/`: texture coordinate and normal, which need not exist.
+fn is_corner_tail(tail: &[u8]) -> bool {
+    tail[0] == b'/' && tail.iter().all(|byte| matches!(byte, b'/' | b'-' | b'+' | b'0'..=b'9'))
+}
+
+fn out_of_range(word: &[u8], vertices: usize, line: Place) -> Error {
+    let index = word.split(|byte| *byte == b'/').next().unwrap_or(word);
+    malformed(line, Reason::IndexOutOfRange { index: quote(index), vertices })
+}

@@ -1,0 +1,56 @@
+//! Broken and hostile OBJ and glTF files end as their manifest asks.
+
+mod common;
+
+use onering_io::{Error, load};
+use serde_json::Value;
+
+#[test]
+fn broken_files_end_as_their_manifest_asks() {
+    let Some((folder, entries)) = common::malformed() else { return };
+    let read = entries.iter().filter(|entry| ["obj", "gltf"].contains(&entry["format"].as_str().unwrap()));
+    for entry in read {
+        let (name, path) = common::path_of(&folder, entry);
+        let result = load(&path);
+        match (&result, entry["expect"].as_str().unwrap()) {
+            (Ok(_), "error") => panic!("{name} was accepted"),
+            (Err(error), "accept") => panic!("{name} was refused: {error}"),
+            (Ok(mesh), _) => check_counts(&name, [mesh.positions.len(), mesh.faces.len()], entry),
+            (Err(error), _) => check_error(&name, error, path.to_str().unwrap()),
+        }
+    }
+}
+
+fn check_counts(name: &str, counts: [usize; 2], entry: &Value) {
+    let expected = ["vertices_if_accepted", "triangles_if_accepted"].map(|key| entry[key].as_u64());
+    // Where the manifest gives no count, the mesh is empty.
+    assert_eq!(counts.map(|count| count as u64), expected.map(Option::unwrap_or_default), "{name}");
+}
+
+/// One line, which names the file or the one beside it.
+fn check_error(name: &str, error: &Error, path: &str) {
+    let text = error.to_string();
+    let folder = path.rsplit_once('/').unwrap().0;
+    assert!(text.starts_with(folder) && !text.contains('\n'), "{name}: {text}");
+}
+
+#[test]
+fn errors_name_the_line_or_the_element() {
+    let Some((folder, _)) = common::malformed() else { return };
+    for (name, expected) in [
+        ("obj/assimp_malformed.obj", ":23: face names vertex 12, but there are 8"),
+        ("obj/tobj_invalid_index.obj", ": face names vertex 7, but there are 6"),
+        ("obj/tinyobj_invalid_relative.obj", ":1: face names vertex -4, but there are 0"),
+        ("obj/index_zero.obj", ":4: face names vertex 0, but vertices are counted from 1"),
+        ("obj/huge_index.obj", "99999999999999999999999, but there are 3"),
+        ("gltf/accessor_count_2e31.glb", "mesh 0 primitive 0: accessor 1 needs 25769803764 bytes"),
+        ("gltf/index_out_of_range/IndexOutOfRange.gltf", "mesh 0 primitive 0: face names vertex"),
+        ("gltf/draco_required.glb", "needs KHR_draco_mesh_compression"),
+        ("gltf/missing_bin.gltf", "BoxTextured0.bin: "),
+        ("gltf/uri_path_traversal.gltf", "etc/passwd` is not opened: it climbs out of the folder"),
+        ("gltf/khr_invalid_version.glb", "version \"0\" is not supported"),
+    ] {
+        let text = load(folder.join(name)).unwrap_err().to_string();
+        assert!(text.contains(expected), "{name}: {text}");
+    }
+}
