@@ -9,8 +9,8 @@
 extern crate alloc;
 
 pub mod boundary;
-//#[cfg(feature = "conformance")]
-//pub mod conformance;
+#[cfg(feature = "conformance")]
+pub mod conformance;
 pub mod corner;
 pub mod fans;
 pub mod footprint;
