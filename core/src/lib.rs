@@ -9,6 +9,8 @@
 extern crate alloc;
 
 pub mod boundary;
+#[cfg(feature = "conformance")]
+pub mod conformance;
 pub mod corner;
 pub mod defects;
 pub mod fans;
@@ -24,13 +26,18 @@ mod adjacency;
 mod boundaries;
 mod edge_map;
 mod error;
+#[macro_use]
+mod forward;
 mod from_faces;
 mod handle;
 mod incidence;
 mod map;
 mod reference;
+mod searched;
 mod slot;
 mod topology;
+mod with_opposites;
+mod with_outgoing;
 
 pub use adjacency::Adjacency;
 pub use boundaries::Boundaries;
@@ -42,5 +49,8 @@ pub use handle::{CurveId, EdgeId, FaceId, HalfEdgeId, Handle, VertexId};
 pub use incidence::Incidence;
 pub use map::Map;
 pub use pairing::Pairing;
+pub use searched::Searched;
 pub use slot::Slot;
 pub use topology::Topology;
+pub use with_opposites::WithOpposites;
+pub use with_outgoing::WithOutgoing;
