@@ -9,16 +9,25 @@
 extern crate alloc;
 
 pub mod boundary;
+pub mod components;
 pub mod corner;
+pub mod degrees;
+pub mod edges;
+pub mod euler;
 pub mod fans;
 pub mod footprint;
+pub mod k_ring;
+pub mod link;
 pub mod memory;
 pub mod neighbours;
+pub mod orientation;
 pub mod pairing;
 pub mod ring;
+pub mod umbrella;
 
 mod adjacency;
 mod boundaries;
+mod disjoint_sets;
 mod edge_map;
 mod error;
 mod from_faces;
