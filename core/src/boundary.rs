@@ -71,8 +71,8 @@ pub fn edge_count<M: Adjacency + ?Sized>(mesh: &M) -> usize {
 }
 
 /// Number of closed loops that the boundary edges form, whatever the orientation of the faces: two boundary
-/// edges follow one another where they end in the same [umbrella](umbrella::umbrellas), so two loops that
-/// touch in a vertex only are two. `None` where "loop" has no single meaning: where an umbrella has other than
+/// edges follow one another where they end in the same [umbrella](umbrella::umbrellas), so two sheets that touch
+/// in a vertex only have a loop each, and two holes that do have one together. `None` where "loop" has no single meaning: where an umbrella has other than
 /// two boundary edges or none, which takes an edge of three or more faces.
 ///
 /// As many as there are [`curves`], where faces agree in orientation and no edge has three. O(half-edges) then;

@@ -17,12 +17,12 @@ pub mod euler;
 pub mod fans;
 pub mod footprint;
 pub mod k_ring;
-pub mod link;
 pub mod memory;
 pub mod neighbours;
 pub mod orientation;
 pub mod pairing;
 pub mod ring;
+pub mod star;
 pub mod umbrella;
 
 mod adjacency;

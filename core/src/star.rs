@@ -1,4 +1,6 @@
-//! Links: what closes a star off from the rest of the mesh.
+//! Stars and links: the faces around a vertex or an edge, and what closes them off from the rest of the mesh.
+//!
+//! The star of a vertex as half-edges is [`Incidence::star`], that of an edge [`Adjacency::edge_fan`].
 use crate::{Adjacency, Incidence};
 
 /// The link of vertex `v` as half-edges: in each face of its [`star`](Incidence::star) the one that does not
@@ -8,9 +10,9 @@ use crate::{Adjacency, Incidence};
 ///
 /// ```
 /// # use onering::CheL2 as Mesh;
-/// use onering_core::{FromFaces, Handle, Topology, VertexId, link};
+/// use onering_core::{FromFaces, Handle, Topology, VertexId, star};
 /// let mesh = Mesh::from_faces(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1]])?;
-/// let around = link::link(&mesh, VertexId::new(0)).map(|h| [mesh.origin(h), mesh.target(h)]);
+/// let around = star::link(&mesh, VertexId::new(0)).map(|h| [mesh.origin(h), mesh.target(h)]);
 /// assert_eq!(format!("{:?}", around.collect::<Vec<_>>()), "[[v1, v2], [v2, v3], [v3, v1]]");
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
@@ -23,9 +25,9 @@ pub fn link<M: Incidence + ?Sized>(mesh: &M, v: M::Vertex) -> impl Iterator<Item
 ///
 /// ```
 /// # use onering::CheL2 as Mesh;
-/// use onering_core::{FromFaces, Handle, VertexId, link};
+/// use onering_core::{FromFaces, Handle, VertexId, star};
 /// let mesh = Mesh::from_faces(4, &[[0, 1, 2], [0, 2, 3]])?;
-/// assert_eq!(link::link_vertices(&mesh, VertexId::new(0)).count(), 3);
+/// assert_eq!(star::link_vertices(&mesh, VertexId::new(0)).count(), 3);
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
 pub fn link_vertices<M: Incidence + ?Sized>(mesh: &M, v: M::Vertex) -> impl Iterator<Item = M::Vertex> {
@@ -38,9 +40,9 @@ pub fn link_vertices<M: Incidence + ?Sized>(mesh: &M, v: M::Vertex) -> impl Iter
 ///
 /// ```
 /// # use onering::CheL1 as Mesh;
-/// use onering_core::{FromFaces, Handle, HalfEdgeId, link};
+/// use onering_core::{FromFaces, Handle, HalfEdgeId, star};
 /// let mesh = Mesh::from_faces(4, &[[0, 1, 2], [2, 1, 3]])?;
-/// let across = link::edge_link(&mesh, HalfEdgeId::new(1));
+/// let across = star::edge_link(&mesh, HalfEdgeId::new(1));
 /// assert_eq!(format!("{:?}", across.collect::<Vec<_>>()), "[v0, v3]");
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
