@@ -25,14 +25,14 @@ pub struct KRing<V> {
     /// The last search that reached the vertex.
     stamps: Map<V, u32>,
     search: u32,
-    /// The centre, level 1, level 2, ...
+    /// The centre, level 1, level 2, ... up to the last end.
     reached: Vec<V>,
     /// Where each level ends in `reached`.
     ends: Vec<usize>,
 }
 
 impl<V: Handle> KRing<V> {
-    /// Scratch without memory yet: a search takes 4 bytes for each vertex of the mesh.
+    /// Scratch without memory yet: a search takes 8 bytes for each vertex of the mesh.
     pub const fn new() -> Self {
         Self { stamps: Map::new(), search: 0, reached: Vec::new(), ends: Vec::new() }
     }
@@ -44,21 +44,29 @@ impl<V: Handle> KRing<V> {
         G: Neighbours<Node = V> + ?Sized,
     {
         self.begin(graph.node_count(), v);
-        let mut start = 0;
+        let (stamps, reached) = (self.stamps.as_mut_slice(), self.reached.as_mut_slice());
+        let (mut start, mut count) = (0, 1);
         for _ in 0..levels {
-            let end = self.reached.len();
+            let end = count;
             for i in start..end {
-                graph.neighbours(self.reached[i]).for_each(|u| self.reach(u));
+                // Without a branch, which would be mispredicted for each second vertex: all are written, and
+                // the new ones are kept.
+                graph.neighbours(reached[i]).for_each(|u| {
+                    reached[count] = u;
+                    count += usize::from(stamps[u.index()] != self.search);
+                    stamps[u.index()] = self.search;
+                });
             }
-            if self.reached.len() == end {
+            if count == end {
                 break;
             }
-            self.ends.push(self.reached.len());
+            self.ends.push(count);
             start = end;
         }
         self
     }
 
+    /// Makes room, and `v` the only vertex reached.
     fn begin(&mut self, node_count: usize, v: V) {
         if self.search == u32::MAX {
             self.stamps.as_mut_slice().fill(0);
@@ -67,19 +75,13 @@ impl<V: Handle> KRing<V> {
         self.search += 1;
         if self.stamps.len() < node_count {
             self.stamps.resize(node_count, 0);
+            // One more than can be reached, to be written and not kept.
+            self.reached.resize(node_count + 1, v);
         }
-        self.reached.clear();
-        self.reach(v);
+        self.stamps[v] = self.search;
+        self.reached[0] = v;
         self.ends.clear();
         self.ends.push(1);
-    }
-
-    #[inline(always)]
-    fn reach(&mut self, u: V) {
-        if self.stamps[u] != self.search {
-            self.stamps[u] = self.search;
-            self.reached.push(u);
-        }
     }
 
     /// Number of levels found that have vertices, the centre not counted.
@@ -106,7 +108,7 @@ impl<V: Handle> KRing<V> {
     }
 
     fn end(&self, k: usize) -> usize {
-        self.ends.get(k).copied().unwrap_or(self.reached.len())
+        self.ends.get(k).or(self.ends.last()).map_or(0, |&end| end)
     }
 }
 
