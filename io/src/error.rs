@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::Format;
+use crate::{Format, Item, Place};
 
 /// Why a mesh file could not be read. Its `Display` is one line that names the file where it is known:
 /// `part.obj:20: face names vertex 12, but there are 8`.
@@ -74,39 +74,6 @@ impl Error {
 
     pub(crate) fn malformed(format: Format, place: Place, reason: Reason) -> Self {
         Self::Malformed { format, path: None, place, reason }
-    }
-}
-
-/// Where in a file. Lines count from 1, everything else from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Place {
-    /// The file as a whole.
-    File,
-    /// A line of a text file; where a backslash continues it, the first line.
-    Line(usize),
-    /// A byte of a binary file.
-    Byte(usize),
-    /// A buffer of a glTF document.
-    Buffer(usize),
-    /// A primitive of a glTF document.
-    Primitive {
-        /// Index of the mesh.
-        mesh: usize,
-        /// Index of the primitive in the mesh.
-        primitive: usize,
-    },
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::File => write!(f, "the whole file"),
-            Self::Line(line) => write!(f, "line {line}"),
-            Self::Byte(byte) => write!(f, "byte {byte}"),
-            Self::Buffer(buffer) => write!(f, "buffer {buffer}"),
-            Self::Primitive { mesh, primitive } => write!(f, "mesh {mesh} primitive {primitive}"),
-        }
     }
 }
 
@@ -216,40 +183,6 @@ pub enum Reason {
     },
 }
 
-/// A part of a binary file or of a glTF document.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Item {
-    /// The file as a whole.
-    File,
-    /// The header of a GLB file.
-    Header,
-    /// A chunk of a GLB file, by its position.
-    Chunk(usize),
-    /// A glTF buffer.
-    Buffer(usize),
-    /// A glTF bufferView.
-    BufferView(usize),
-    /// A glTF accessor.
-    Accessor(usize),
-    /// The sparse part of a glTF accessor.
-    Sparse(usize),
-}
-
-impl fmt::Display for Item {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::File => write!(f, "the file"),
-            Self::Header => write!(f, "the header"),
-            Self::Chunk(i) => write!(f, "chunk {i}"),
-            Self::Buffer(i) => write!(f, "buffer {i}"),
-            Self::BufferView(i) => write!(f, "bufferView {i}"),
-            Self::Accessor(i) => write!(f, "accessor {i}"),
-            Self::Sparse(i) => write!(f, "sparse accessor {i}"),
-        }
-    }
-}
-
 /// `path: `, or nothing.
 struct Colon<'a>(&'a Option<PathBuf>);
 
@@ -281,9 +214,10 @@ impl fmt::Display for Location<'_> {
 /// Words quoted in an error are cut here: a file may hold one word of a gigabyte.
 const QUOTED: usize = 60;
 
-/// The word as text; bytes that are no UTF-8 become replacement characters.
+/// The word as text of one line; bytes that are no UTF-8 and control characters become replacement
+/// characters, so that a file cannot write to the terminal what it likes.
 pub(crate) fn quote(word: &[u8]) -> String {
     let cut = &word[..word.len().min(QUOTED)];
     let dots = if cut.len() < word.len() { "..." } else { "" };
-    String::from_utf8_lossy(cut).into_owned() + dots
+    String::from_utf8_lossy(cut).replace(char::is_control, "\u{FFFD}") + dots
 }

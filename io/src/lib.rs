@@ -10,6 +10,9 @@
 //! | Wavefront OBJ | `.obj` | [`obj`] |
 //! | glTF 2.0 | `.gltf`, `.glb` | [`gltf`] |
 //!
+//! With the feature `tobj`, `obj_attributes` reads the texture coordinates, normals and materials of an OBJ
+//! file, corner by corner of the same faces.
+//!
 //! ```
 //! let square = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 //! let mesh = onering_io::read(square)?;
@@ -31,14 +34,18 @@ mod format;
 pub mod gltf;
 mod load;
 mod memory;
+#[cfg(feature = "tobj")]
+mod mtl;
 mod number;
 pub mod obj;
 #[cfg(feature = "tobj")]
 pub mod obj_attributes;
+mod place;
 mod text;
 mod triangles;
 
-pub use error::{Error, Item, Place, Reason};
+pub use error::{Error, Reason};
 pub use format::Format;
 pub use load::{load, read, read_as};
+pub use place::{Item, Place};
 pub use triangles::{Note, Skipped, Triangles};

@@ -48,7 +48,7 @@ fn dispatch(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Trian
     }
 }
 
-fn read_file(path: &Path) -> Result<Vec<u8>, Error> {
+pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, Error> {
     // Reading a directory fails on some systems only, and in words of their own.
     if path.is_dir() {
         let source = io::Error::new(io::ErrorKind::IsADirectory, "this is a directory, not a mesh file");

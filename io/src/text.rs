@@ -52,12 +52,11 @@ impl<'a> Scanner<'a> {
         (start < self.at).then(|| &self.bytes[start..self.at])
     }
 
-    /// What is left of this line, comments included, up to where it ends or a backslash joins the next.
+    /// What is left of this line as it stands, for names that may hold any character.
     #[cfg(feature = "tobj")]
     pub(crate) fn rest(&mut self) -> &'a [u8] {
-        self.skip_blanks();
         let rest = &self.bytes[self.at..];
-        let length = memchr::memchr3(b'\n', b'\r', b'\\', rest).unwrap_or(rest.len());
+        let length = memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
         &rest[..length]
     }
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::buffers::Buffers;
+use super::component::{Component, unsigned, vector};
 use super::schema::{Accessor, Document};
 use crate::memory::reserve;
 use crate::{Error, Format, Item, Place, Reason};
@@ -20,17 +21,6 @@ pub(super) struct Source<'a> {
     buffers: Buffers<'a>,
     pub(super) format: Format,
     input_bytes: u64,
-}
-
-/// The types of a component, by the numbers of OpenGL.
-#[derive(Clone, Copy, PartialEq)]
-enum Component {
-    I8,
-    U8,
-    I16,
-    U16,
-    U32,
-    F32,
 }
 
 /// Where the elements of an accessor lie: `count` of them, `stride` bytes apart, all within the buffer.
@@ -229,60 +219,4 @@ impl<'a> Source<'a> {
     pub(super) fn malformed(&self, place: Place, reason: Reason) -> Error {
         Error::malformed(self.format, place, reason)
     }
-}
-
-impl Component {
-    fn of(number: u64) -> Option<Self> {
-        Some(match number {
-            5120 => Self::I8,
-            5121 => Self::U8,
-            5122 => Self::I16,
-            5123 => Self::U16,
-            5125 => Self::U32,
-            5126 => Self::F32,
-            _ => return None,
-        })
-    }
-
-    fn size(self) -> usize {
-        match self {
-            Self::I8 | Self::U8 => 1,
-            Self::I16 | Self::U16 => 2,
-            Self::U32 | Self::F32 => 4,
-        }
-    }
-
-    fn is_unsigned(self) -> bool {
-        matches!(self, Self::U8 | Self::U16 | Self::U32)
-    }
-}
-
-fn bytes_of<const N: usize>(bytes: &[u8]) -> [u8; N] {
-    std::array::from_fn(|i| bytes[i])
-}
-
-fn unsigned(bytes: &[u8], component: Component) -> u32 {
-    match component.size() {
-        1 => u32::from(bytes[0]),
-        2 => u32::from(u16::from_le_bytes(bytes_of(bytes))),
-        _ => u32::from_le_bytes(bytes_of(bytes)),
-    }
-}
-
-fn vector(bytes: &[u8], component: Component, normalized: bool) -> [f32; 3] {
-    std::array::from_fn(|i| coordinate(&bytes[i * component.size()..], component, normalized))
-}
-
-/// One coordinate; normalised integers by the formulas of glTF 2.0, section 3.11.
-fn coordinate(bytes: &[u8], component: Component, normalized: bool) -> f32 {
-    let (value, top) = match component {
-        Component::F32 => return f32::from_le_bytes(bytes_of(bytes)),
-        Component::I8 => (f32::from(bytes[0] as i8), f32::from(i8::MAX)),
-        Component::I16 => (f32::from(i16::from_le_bytes(bytes_of(bytes))), f32::from(i16::MAX)),
-        Component::U8 => (f32::from(bytes[0]), f32::from(u8::MAX)),
-        Component::U16 | Component::U32 => {
-            (f32::from(u16::from_le_bytes(bytes_of(bytes))), f32::from(u16::MAX))
-        }
-    };
-    if normalized { (value / top).max(-1.0) } else { value }
 }

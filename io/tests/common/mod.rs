@@ -72,3 +72,15 @@ pub(crate) fn glb(json: &str, bin: &[u8]) -> Vec<u8> {
 pub(crate) fn le_bytes(numbers: &[f32]) -> Vec<u8> {
     numbers.iter().flat_map(|number| number.to_le_bytes()).collect()
 }
+
+/// What tobj makes of an OBJ file, polygons cut into triangles; `None` where it gives up.
+pub(crate) fn tobj_models(bytes: &[u8]) -> Option<Vec<tobj::Model>> {
+    let options = tobj::LoadOptions {
+        triangulate: true,
+        ignore_points: true,
+        ignore_lines: true,
+        ..Default::default()
+    };
+    let loaded = tobj::load_obj_buf(&mut &bytes[..], &options, |_| Ok(Default::default()));
+    loaded.ok().map(|(models, _)| models)
+}

@@ -1,0 +1,74 @@
+//! Files of any format, by content and by name.
+
+use std::path::PathBuf;
+
+use onering_io::{Error, Format, Place, load};
+
+/// A folder of its own for each test, gone when the test ends.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = std::env::temp_dir().join(format!("onering-load-{}-{name}", std::process::id()));
+        std::fs::create_dir_all(&path).unwrap();
+        Self(path)
+    }
+
+    fn file(&self, name: &str, bytes: &[u8]) -> PathBuf {
+        let path = self.0.join(name);
+        std::fs::write(&path, bytes).unwrap();
+        path
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn content_goes_before_the_extension() {
+    let folder = Folder::new("content");
+    for name in ["a.obj", "a.OBJ", "a", "a.txt", "a.glb"] {
+        assert_eq!(load(folder.file(name, b"v 1 2 3\n")).unwrap().positions.len(), 1, "{name}");
+    }
+    let gltf = br#" {"asset": {"version": "2.0"}}"#;
+    assert!(load(folder.file("b.obj", gltf)).is_ok());
+    // What shows nothing goes by its extension.
+    assert!(load(folder.file("empty.obj", b"")).is_ok());
+    for (name, format) in [("empty.glb", Format::Glb), ("empty.gltf", Format::Gltf)] {
+        let error = load(folder.file(name, b"")).unwrap_err();
+        assert!(matches!(error, Error::Malformed { format: f, .. } if f == format), "{error}");
+    }
+}
+
+#[test]
+fn other_formats_are_refused_with_the_list_of_those_that_are_read() {
+    let folder = Folder::new("other");
+    let path = folder.file("a.step", b"ISO-10303-21;");
+    let error = load(&path).unwrap_err();
+    assert!(matches!(&error, Error::UnknownFormat { path: Some(p) } if *p == path));
+    let expected = format!("{}: not a known mesh format; supported are .obj, .gltf, .glb", path.display());
+    assert_eq!(error.to_string(), expected);
+}
+
+#[test]
+fn errors_name_the_file_and_the_line() {
+    let folder = Folder::new("errors");
+    let path = folder.file("a.obj", b"v 0 0 0\nf 1 1 2\n");
+    let error = load(&path).unwrap_err();
+    assert!(matches!(error, Error::Malformed { place: Place::Line(2), .. }));
+    assert_eq!(error.to_string(), format!("{}:2: face names vertex 2, but there are 1", path.display()));
+    let unnamed = onering_io::read(b"v 0 0 0\nf 1 1 2\n").unwrap_err();
+    assert_eq!(unnamed.to_string(), "OBJ line 2: face names vertex 2, but there are 1");
+}
+
+#[test]
+fn what_is_no_file_is_named() {
+    let folder = Folder::new("none");
+    let error = load(&folder.0).unwrap_err();
+    assert_eq!(error.to_string(), format!("{}: this is a directory, not a mesh file", folder.0.display()));
+    let absent = folder.0.join("absent.obj");
+    assert!(matches!(load(&absent).unwrap_err(), Error::Io { path, .. } if path == absent));
+}
