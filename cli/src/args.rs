@@ -102,7 +102,8 @@ pub(crate) fn read() -> Command {
 fn give_back_files(compare: &mut Compare) {
     let given = !compare.backends.is_empty();
     let is_name = |word: &String| !word.contains(['.', '/', '\\']);
-    let (names, files): (Vec<_>, Vec<_>) = std::mem::take(&mut compare.backends).into_iter().partition(is_name);
+    let (names, files): (Vec<_>, Vec<_>) =
+        std::mem::take(&mut compare.backends).into_iter().partition(is_name);
     if given && names.is_empty() {
         fail(&format!("--backend needs a name; {}", known()));
     }

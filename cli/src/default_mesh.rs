@@ -54,8 +54,7 @@ fn terrain(side: usize, hole: usize) -> Made {
     };
     for y in 0..side {
         for x in (0..side).filter(|&x| !(in_hole(x) && in_hole(y))) {
-            let [a, b, c, d] =
-                [number(x, y), number(x + 1, y), number(x + 1, y + 1), number(x, y + 1)];
+            let [a, b, c, d] = [number(x, y), number(x + 1, y), number(x + 1, y + 1), number(x, y + 1)];
             faces.extend([[a, b, c], [a, c, d]]);
         }
     }
@@ -74,7 +73,9 @@ mod tests {
         assert_eq!((sphere.vertex_count, sphere.faces.len()), (40_962, 81_920));
         assert_eq!(terrain.faces.len(), 2 * (204 * 204 - 9 * 64));
         let (sphere, terrain) = (figures(&sphere), figures(&terrain));
-        assert!(sphere.is_clean() && sphere.closed && sphere.genus == Some(0) && sphere.isolated_vertices == 0);
+        assert!(
+            sphere.is_clean() && sphere.closed && sphere.genus == Some(0) && sphere.isolated_vertices == 0
+        );
         assert!(terrain.is_clean() && terrain.genus == Some(0) && terrain.boundary_loops == Some(10));
         assert_eq!((terrain.components, terrain.isolated_vertices), (1, 0));
     }

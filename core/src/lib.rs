@@ -9,12 +9,11 @@
 extern crate alloc;
 
 pub mod boundary;
+pub mod components;
 #[cfg(feature = "conformance")]
 pub mod conformance;
 pub mod corner;
 pub mod defects;
-pub mod components;
-pub mod corner;
 pub mod degrees;
 pub mod edges;
 pub mod euler;
@@ -27,9 +26,9 @@ pub mod orientation;
 pub mod pairing;
 pub mod repair;
 pub mod ring;
-pub mod union_find;
 pub mod star;
 pub mod umbrella;
+pub mod union_find;
 
 mod adjacency;
 mod boundaries;

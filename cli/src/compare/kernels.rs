@@ -73,7 +73,8 @@ impl<M: EdgeMap> Kernels<M> {
 impl<M: Boundaries> Kernels<M> {
     pub(crate) fn boundaries(mut self) -> Self {
         // Every boundary half-edge lies along one curve.
-        self.checks.push(("boundary", |mesh| sum(mesh.curves().flat_map(|c| mesh.curve(c)), |h| side(mesh, h))));
+        self.checks
+            .push(("boundary", |mesh| sum(mesh.curves().flat_map(|c| mesh.curve(c)), |h| side(mesh, h))));
         self
     }
 }
@@ -152,9 +153,8 @@ impl<M: Neighbours> Kernels<M> {
         }));
         self.rings = Some(Rings::of);
         self.sweep = Some(|mesh| sum((0..mesh.node_count()).map(M::Node::new), |v| node_sum(mesh, v)));
-        self.vertex_queries = Some(|mesh, vertices| {
-            sum(vertices.iter(), |&v| node_sum(mesh, M::Node::new(v as usize)))
-        });
+        self.vertex_queries =
+            Some(|mesh, vertices| sum(vertices.iter(), |&v| node_sum(mesh, M::Node::new(v as usize))));
         self
     }
 }

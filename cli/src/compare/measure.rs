@@ -5,7 +5,7 @@ use super::rings::Rings;
 use super::sample::{Sample, Soup, strategies};
 use super::timing::{Clock, Timing};
 use crate::heap;
-use onering::{BuildError, Footprint, FromFaces, Pairing};
+use onering::{BuildError, Footprint, FromFaces, Pairing, Searched, SharedVertex};
 
 /// What to measure on.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +51,25 @@ pub(crate) fn backend<M: FromFaces + Footprint>(
         measured.build.push((pairing, plan.clock.time(|| build(pairing))));
     }
     measured.ask(&mesh, kernels, plan);
+    Ok(measured)
+}
+
+/// No structure at all. Queries are so slow that only one in a hundred is asked.
+pub(crate) fn searched(
+    plan: &Plan<'_>,
+    kernels: &Kernels<Searched<SharedVertex>>,
+) -> Result<Measured, BuildError> {
+    const RARELY: usize = 100;
+    let few = |all: &[u32]| all.iter().step_by(RARELY).copied().collect();
+    let Sample { starts, vertices, faces } = plan.sample;
+    let sample = Sample { starts: starts.clone(), vertices: few(vertices), faces: few(faces) };
+    let mesh = Searched::new(SharedVertex::from_faces(plan.soup.vertex_count, &plan.soup.faces)?);
+    let mut measured = Measured::default();
+    measured.ask(&mesh, kernels, &Plan { sample: &sample, ..*plan });
+    for timing in [&mut measured.vertex_queries, &mut measured.face_queries].into_iter().flatten() {
+        *timing = timing.scaled(RARELY as f64);
+    }
+    measured.answers.retain(|(name, _)| !name.ends_with("queries"));
     Ok(measured)
 }
 

@@ -21,7 +21,6 @@ pub(crate) struct Settings {
     pub(crate) seed: u64,
     pub(crate) budget_ms: u64,
     pub(crate) quadratic_up_to_triangles: usize,
-    pub(crate) search_up_to_triangles: usize,
     pub(crate) ring_starts: usize,
     pub(crate) random_queries: usize,
 }
@@ -51,7 +50,7 @@ pub(crate) struct Mesh {
     pub(crate) mismatches: Vec<String>,
 }
 
-#[derive(Debug, serde::Serialize)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub(crate) struct Repair {
     pub(crate) steps: String,
     pub(crate) vertices: usize,
@@ -82,11 +81,11 @@ pub(crate) struct Backend {
 #[derive(Debug, serde::Serialize)]
 pub(crate) struct Memory {
     /// In V, E, T, B and words of records.
-    pub(crate) formula: Option<String>,
-    pub(crate) formula_bytes: Option<usize>,
+    pub(crate) formula: String,
+    pub(crate) formula_bytes: usize,
     pub(crate) counted_bytes: usize,
     pub(crate) peak_bytes: usize,
-    pub(crate) formula_bytes_per_triangle: Option<f64>,
+    pub(crate) formula_bytes_per_triangle: f64,
     pub(crate) counted_bytes_per_triangle: f64,
     pub(crate) peak_bytes_per_triangle: f64,
 }
@@ -98,9 +97,8 @@ pub(crate) struct Ring {
     /// Vertices within so many edges, the first one left out, on average over the random vertices.
     pub(crate) vertices: f64,
     /// For the ring of one vertex with all levels up to this one.
-    pub(crate) median_ns: f64,
-    pub(crate) min_ns: f64,
-    pub(crate) runs: usize,
+    #[serde(flatten)]
+    pub(crate) timing: Timing,
 }
 
 #[derive(Debug, serde::Serialize)]

@@ -2,7 +2,7 @@
 
 use super::kernels::Kernels;
 use super::measure::{self, Measured, Plan};
-use onering::BuildError;
+use onering::{BuildError, Searched, SharedVertex};
 
 /// A backend by what can be done with it here.
 pub(crate) struct Subject {
@@ -22,6 +22,14 @@ macro_rules! subjects {
     };
 }
 onering::with_backends!(subjects);
+
+/// What the structures are to be better than: the bare list of faces, all of it searched for every answer.
+pub(crate) const BASELINE: Subject = Subject {
+    name: "no data structure",
+    measure: |plan| {
+        measure::searched(plan, &Kernels::<Searched<SharedVertex>>::new().topology().adjacency().incidence())
+    },
+};
 
 #[cfg(test)]
 mod tests {

@@ -57,7 +57,8 @@ fn json_of(bytes: &[u8]) -> &[u8] {
     match bytes.strip_prefix(b"glTF") {
         None => bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes),
         Some(_) => {
-            let length = bytes.get(12..16).and_then(|word| word.try_into().ok()).map_or(0, u32::from_le_bytes);
+            let length =
+                bytes.get(12..16).and_then(|word| word.try_into().ok()).map_or(0, u32::from_le_bytes);
             bytes.get(20..).and_then(|rest| rest.get(..length as usize)).unwrap_or_default()
         }
     }
