@@ -7,9 +7,8 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// What a layout does with one column. Sealed: the three policies below are all there are. (`Clone`, because
-/// that is what the derived `Clone` of `Table` asks of a policy.)
-pub trait Policy: sealed::Sealed + Clone + 'static {
+/// What a layout does with one column. Sealed: the three policies below are all there are.
+pub trait Policy: sealed::Sealed + 'static {
     /// Name for tables in documentation.
     const NAME: &'static str;
     /// Cells in memory for each element: 1 or 0.
@@ -55,15 +54,15 @@ pub trait Cells<T>: Debug + Clone + Send + Sync {
 }
 
 /// Kept in memory: one load.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Stored {}
 
 /// Worked out from other columns or from the index: no memory.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Computed {}
 
 /// Not known by this layout, so the trait that needs it is not implemented.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum Absent {}
 
 impl sealed::Sealed for Stored {}

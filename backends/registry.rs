@@ -18,6 +18,11 @@ macro_rules! with_backends {
         directed_edges_small  "directed-edges-small"  $crate::DirectedEdgesSmall   [topology adjacency incidence]                    [non_manifold_edge same_direction several_fans];
         directed_edges_medium "directed-edges-medium" $crate::DirectedEdgesMedium  [topology adjacency incidence]                    [non_manifold_edge same_direction several_fans];
         directed_edges_full   "directed-edges-full"   $crate::DirectedEdgesFull    [topology adjacency incidence]                    [non_manifold_edge same_direction several_fans];
+        mate_face             "mate-face"             $crate::MateFace             [topology adjacency incidence]                    [same_direction several_fans];
+        half_edge             "half-edge"             $crate::HalfEdgeMesh         [topology adjacency incidence]                    [];
+        winged_edge           "winged-edge"           $crate::WingedEdge           [topology adjacency incidence edge_map]           [];
+        vertex_graph          "vertex-graph"          $crate::VertexGraph          [graph]                                           [degenerate non_manifold_edge same_direction several_fans];
+        adjacency_graph       "adjacency-graph"       $crate::AdjacencyGraph       [topology adjacency incidence]                    [non_manifold_edge same_direction several_fans];
     } };
 }
 

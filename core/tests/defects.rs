@@ -3,6 +3,7 @@
 mod common;
 mod slow;
 
+use common::random::{crowds, crumpled};
 use common::{TETRAHEDRON, corpus, grid};
 use onering_core::defects::{Defects, Figure};
 use proptest::prelude::*;
@@ -70,44 +71,22 @@ fn the_vertex_count_costs_nothing() {
     assert_eq!((defects.euler, defects.boundary_loops, defects.degenerate_faces), (1, Some(1), 1));
 }
 
-fn any_faces() -> impl Strategy<Value = (usize, Vec<[u32; 3]>)> {
-    (3u32..14).prop_flat_map(|n| {
-        let vertex = prop_oneof![60 => 0..n, 1 => n..n + 2];
-        (Just(n as usize), prop::collection::vec(prop::array::uniform3(vertex), 0..40))
-    })
-}
-
-/// Part of a torus or Klein bottle, some faces flipped and some vertices pinched together.
-fn pieces_of_surfaces() -> impl Strategy<Value = (usize, Vec<[u32; 3]>)> {
-    (3u32..9, 3u32..9, any::<bool>()).prop_flat_map(|(n, m, flip)| {
-        let (vertices, faces) = grid(n, m, [true, true], flip);
-        let fates = prop::collection::vec(0u8..12, faces.len());
-        let pinch = prop::collection::vec((0..vertices as u32, 0..vertices as u32), 0..4);
-        (Just(vertices), Just(faces), fates, pinch).prop_map(|(vertices, faces, fates, pinch)| {
-            let kept = faces.iter().zip(fates).filter(|&(_, fate)| fate > 1);
-            let flipped = kept.map(|(&[a, b, c], fate)| if fate == 2 { [a, c, b] } else { [a, b, c] });
-            let moved = |v| pinch.iter().find(|p| p.0 == v).map_or(v, |p| p.1);
-            (vertices, flipped.map(|face| face.map(moved)).collect())
-        })
-    })
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn random_lists_count_as_the_slow_way((n, faces) in any_faces()) {
+    fn random_lists_count_as_the_slow_way((n, faces) in crowds(14)) {
         prop_assert_eq!(figures(n, &faces), slow::figures(n, &faces));
     }
 
     #[test]
-    fn random_pieces_count_as_the_slow_way((n, faces) in pieces_of_surfaces()) {
+    fn crumpled_surfaces_count_as_the_slow_way((n, faces) in crumpled()) {
         prop_assert_eq!(figures(n, &faces), slow::figures(n, &faces));
     }
 
     /// Numbers far apart go another way; what they name must not matter.
     #[test]
-    fn sparse_numbers_change_nothing((n, faces) in any_faces(), step in 1u32..200_000_000) {
+    fn sparse_numbers_change_nothing((n, faces) in crowds(14), step in 1u32..200_000_000) {
         let far: Vec<_> = faces.iter().map(|face| face.map(|v| v * step)).collect();
         let (near, far) = (Defects::of(n, &faces), Defects::of((n - 1) * step as usize + 1, &far));
         let mut figures: BTreeMap<_, _> = far.figures().collect();

@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::random::{crowds, crumpled};
 use common::{TETRAHEDRON, corpus, grid};
 use onering_core::BuildError;
 use onering_core::defects::Defects;
@@ -73,11 +74,26 @@ fn check_accounts(vertex_count: usize, faces: &[[u32; 3]], repaired: &Repaired) 
     assert!(all.into_iter().eq(0..faces.len() as u32), "every face is in one list");
 }
 
+/// What is said to be cut is what came apart, by the maps back.
+fn check_cuts(repaired: &Repaired) {
+    let source = |v: u32| repaired.vertex_source[v as usize];
+    let copied: HashSet<u32> =
+        repaired.vertex_source.iter().rev().take(repaired.vertices_added).copied().collect();
+    assert_eq!(repaired.vertices_cut, copied.len());
+    let mut parts: HashMap<_, HashSet<_>> = HashMap::new();
+    for [a, b] in repaired.faces.iter().flat_map(|&face| sides(face)) {
+        let (a, b) = if source(a) < source(b) { (a, b) } else { (b, a) };
+        parts.entry([source(a), source(b)]).or_default().insert([a, b]);
+    }
+    assert_eq!(repaired.edges_cut, parts.values().filter(|edges| edges.len() > 1).count());
+}
+
 /// All that holds for any list.
 fn check(vertex_count: usize, faces: &[[u32; 3]]) -> Repaired {
     let repaired = mend(vertex_count, faces);
     check_sound(repaired.vertex_count, &repaired.faces);
     check_accounts(vertex_count, faces, &repaired);
+    check_cuts(&repaired);
     let (before, after) =
         (Defects::of(vertex_count, faces), Defects::of(repaired.vertex_count, &repaired.faces));
     assert!(after.is_clean() && after.manifold && after.orientable, "{after}");
@@ -182,34 +198,11 @@ fn what_cannot_be_numbered_or_matched_is_an_error() {
     assert_eq!(repair(5, &bowtie, &weld).unwrap_err().to_string(), "4 positions to weld for 5 vertices");
 }
 
-/// Few vertices and many faces: every edge crowded.
-fn crowds() -> impl Strategy<Value = (usize, Vec<[u32; 3]>)> {
-    (3u32..9).prop_flat_map(|n| {
-        let vertex = prop_oneof![100 => 0..n, 1 => n..n + 2];
-        (Just(n as usize), prop::collection::vec(prop::array::uniform3(vertex), 0..41))
-    })
-}
-
-/// A grid of any kind with flips, and vertices pinched together: long seams, slits and folds.
-fn crumpled() -> impl Strategy<Value = (usize, Vec<[u32; 3]>)> {
-    (3u32..9, 3u32..9, any::<[bool; 2]>(), any::<bool>()).prop_flat_map(|(n, m, wrap, flip)| {
-        let (vertices, faces) = grid(n, m, wrap, flip);
-        let fates = prop::collection::vec(0u8..10, faces.len());
-        let pinch = prop::collection::vec((0..vertices as u32, 0..vertices as u32), 0..8);
-        (Just(vertices), Just(faces), fates, pinch).prop_map(|(vertices, faces, fates, pinch)| {
-            let moved = |v| pinch.iter().find(|p| p.0 == v).map_or(v, |p| p.1);
-            let kept = faces.iter().zip(fates).filter(|&(_, fate)| fate > 0);
-            let flipped = kept.map(|(&[a, b, c], fate)| if fate == 1 { [a, c, b] } else { [a, b, c] });
-            (vertices, flipped.map(|face| face.map(moved)).collect())
-        })
-    })
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn crowded_lists_are_repaired((n, faces) in crowds()) {
+    fn crowded_lists_are_repaired((n, faces) in crowds(9)) {
         check(n, &faces);
     }
 
@@ -218,9 +211,17 @@ proptest! {
         check(n, &faces);
     }
 
+    /// Numbers far apart go another way.
+    #[test]
+    fn sparse_numbers_are_repaired((n, faces) in crowds(9), step in 40u32..100) {
+        let far: Vec<_> = faces.iter().map(|face| face.map(|v| v * step)).collect();
+        let (near, far) = (mend(n, &faces), check((n - 1) * step as usize + 1, &far));
+        prop_assert_eq!((far.dropped, far.flipped, far.edges_cut), (near.dropped, near.flipped, near.edges_cut));
+    }
+
     /// Welding in one go is welding by hand and repairing then.
     #[test]
-    fn welding_is_what_it_says((n, faces) in crowds(), grid in prop::collection::vec(-1i8..2, 11)) {
+    fn welding_is_what_it_says((n, faces) in crowds(9), grid in prop::collection::vec(-1i8..2, 11)) {
         let positions: Vec<[f32; 3]> = grid[..n].iter().map(|&x| [f32::from(x) * 0.0, f32::from(x), 1.0]).collect();
         let first = |v: u32| positions.iter().position(|p| *p == positions[v as usize]).map_or(v, |v| v as u32);
         let by_hand: Vec<_> = faces.iter().map(|f| f.map(|v| if (v as usize) < n { first(v) } else { v })).collect();

@@ -1,5 +1,7 @@
 //! Small meshes whose figures are known by hand, from the literature or by formula.
 
+pub(crate) mod random;
+
 /// Name, vertex count, faces and the figures it must have.
 pub(crate) type Case = (&'static str, usize, Vec<[u32; 3]>, &'static str);
 

@@ -1,0 +1,169 @@
+//! [`AdjacencyGraph`]: the neighbours of each vertex in one run of memory, beside faces and opposites.
+use crate::DirectedEdgesSmall;
+use alloc::{borrow::Cow, boxed::Box, vec::Vec};
+use core::fmt;
+use onering_core::footprint::{Bytes, Footprint};
+use onering_core::{
+    Adjacency, BuildError, FaceId, FromFaces, HalfEdgeId, Handle, Incidence, Pairing, Topology, VertexId,
+    memory, ring::OneRing,
+};
+
+/// A vertex graph in the manner of TopTri (Figueiredo et al. 2014) that knows its faces: directed edges with
+/// the neighbours of each vertex listed beside them.
+///
+/// Rings are read from one run of memory instead of walked over opposites, so the order of faces in memory does not
+/// matter to them. Where a vertex has one fan its list is its `one_ring`, in order; otherwise the list begins
+/// with the first fan, has each neighbour once, and serves `neighbours` alone.
+///
+/// Faces and links are those of [`DirectedEdgesSmall`]: the half-edges of a `star` leave the vertex, so what is asked of them
+/// is their target, which that row stores; and it holds edges of three or more faces, faces that disagree in
+/// orientation and vertices of several fans. Degenerate faces are refused.
+#[derive(Clone)]
+pub struct AdjacencyGraph {
+    table: DirectedEdgesSmall,
+    /// Where each list starts, and the end of the last.
+    offsets: Box<[u32]>,
+    neighbours: Box<[VertexId]>,
+    /// Whether some vertex has several fans: asked before the table is, whose links are elsewhere in memory.
+    has_several: bool,
+}
+
+impl AdjacencyGraph {
+    #[inline(always)]
+    fn list(&self, v: VertexId) -> &[VertexId] {
+        &self.neighbours[self.offsets[v.index()] as usize..self.offsets[v.index() + 1] as usize]
+    }
+}
+
+impl fmt::Debug for AdjacencyGraph {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (vertices, faces) = (self.vertex_count(), self.face_count());
+        write!(f, "AdjacencyGraph {{ vertices: {vertices}, faces: {faces} }}")
+    }
+}
+
+#[inline]
+fn has_several_fans(table: &DirectedEdgesSmall, v: VertexId) -> bool {
+    table.fans(v).nth(1).is_some()
+}
+
+impl FromFaces for AdjacencyGraph {
+    fn build(vertex_count: usize, faces: Cow<'_, [[u32; 3]]>, pairing: Pairing) -> Result<Self, BuildError> {
+        let table = DirectedEdgesSmall::build(vertex_count, faces, pairing)?;
+        let has_several = table.vertices().any(|v| has_several_fans(&table, v));
+        let mut once = Once::new(if has_several { vertex_count } else { 0 })?;
+        let mut offsets = memory::with_room(vertex_count + 1)?;
+        let mut neighbours = memory::with_room(2 * edge_count(&table))?;
+        for v in table.vertices() {
+            offsets.push(neighbours.len() as u32);
+            if has_several && has_several_fans(&table, v) {
+                let rings = table.fans(v).flat_map(|start| OneRing::new(&table, Some(start)));
+                neighbours.extend(rings.filter(|&w| once.is_new(v, w)));
+            } else {
+                table.one_ring(v).for_each(|w| neighbours.push(w));
+            }
+        }
+        offsets.push(neighbours.len() as u32);
+        Ok(Self { table, offsets: offsets.into(), neighbours: neighbours.into(), has_several })
+    }
+}
+
+/// Number of edges. O(half-edges), however many faces share one.
+fn edge_count(table: &DirectedEdgesSmall) -> usize {
+    // After the half-edge itself the table gives the others ascending: the least is among the first two.
+    let is_least = |&h: &HalfEdgeId| table.edge_fan(h).take(2).all(|g| h <= g);
+    table.half_edges().filter(is_least).count()
+}
+
+/// Tells a neighbour that the fans of a vertex share from a new one, by the vertex that it was last seen from.
+struct Once(Vec<u32>);
+
+impl Once {
+    fn new(vertex_count: usize) -> Result<Self, BuildError> {
+        memory::filled(vertex_count, u32::MAX).map(Self)
+    }
+
+    fn is_new(&mut self, v: VertexId, w: VertexId) -> bool {
+        let v = v.index() as u32;
+        core::mem::replace(&mut self.0[w.index()], v) != v
+    }
+}
+
+impl Footprint for AdjacencyGraph {
+    const BYTES: Bytes = {
+        let table = DirectedEdgesSmall::BYTES;
+        Bytes { constant: table.constant + 4, vertex: table.vertex + 4, edge: table.edge + 8, ..table }
+    };
+
+    fn heap_bytes(&self) -> usize {
+        self.table.heap_bytes() + size_of_val(&*self.offsets) + size_of_val(&*self.neighbours)
+    }
+}
+
+impl Topology for AdjacencyGraph {
+    type Vertex = VertexId;
+    type HalfEdge = HalfEdgeId;
+    type Face = FaceId;
+
+    #[inline(always)]
+    fn vertex_count(&self) -> usize {
+        self.table.vertex_count()
+    }
+
+    #[inline(always)]
+    fn face_count(&self) -> usize {
+        self.table.face_count()
+    }
+
+    #[inline(always)]
+    fn origin(&self, h: HalfEdgeId) -> VertexId {
+        self.table.origin(h)
+    }
+
+    #[inline(always)]
+    fn target(&self, h: HalfEdgeId) -> VertexId {
+        self.table.target(h)
+    }
+}
+
+impl Adjacency for AdjacencyGraph {
+    #[inline(always)]
+    fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.table.opposite(h)
+    }
+
+    #[inline]
+    fn edge_fan(&self, h: HalfEdgeId) -> impl Iterator<Item = HalfEdgeId> {
+        self.table.edge_fan(h)
+    }
+
+    #[inline(always)]
+    fn is_boundary(&self, h: HalfEdgeId) -> bool {
+        self.table.is_boundary(h)
+    }
+}
+
+impl Incidence for AdjacencyGraph {
+    #[inline(always)]
+    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        self.table.outgoing(v)
+    }
+
+    #[inline]
+    fn fans(&self, v: VertexId) -> impl Iterator<Item = HalfEdgeId> {
+        self.table.fans(v)
+    }
+
+    /// The list of `v` where it has one fan, otherwise a walk.
+    #[inline]
+    fn one_ring(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
+        let walks = self.has_several && has_several_fans(&self.table, v);
+        let (list, start) = if walks { (&[][..], self.table.outgoing(v)) } else { (self.list(v), None) };
+        list.iter().copied().chain(OneRing::new(&self.table, start))
+    }
+
+    #[inline]
+    fn neighbours(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
+        self.list(v).iter().copied()
+    }
+}

@@ -1,0 +1,120 @@
+//! [`HalfEdgeMesh`]: the half-edge structure, with everything stored.
+use crate::build::{self, Links};
+use alloc::{borrow::Cow, boxed::Box};
+use core::fmt;
+use onering_core::footprint::{Bytes, Footprint};
+use onering_core::{
+    Adjacency, BuildError, FaceId, FromFaces, HalfEdgeId, Handle, Incidence, Pairing, Slot, Topology,
+    VertexId, corner, memory, pairing,
+};
+
+/// What a half-edge knows. One record, so that a step reads one cache line.
+#[derive(Clone, Copy, Debug)]
+struct Record {
+    vertex: VertexId,
+    next: HalfEdgeId,
+    prev: HalfEdgeId,
+    opposite: Slot<HalfEdgeId>,
+    face: FaceId,
+}
+
+const _: () = assert!(size_of::<Record>() == 20);
+
+/// The half-edge structure (Mäntylä 1988; Emme 2012, 3.3): for each half-edge a record of its vertex (the one
+/// that it starts at), next, previous, opposite and face; for each vertex the half-edge where its fan starts.
+///
+/// Nothing is worked out from an index but the first half-edge of a face, `3f`, where faces would have a
+/// reference of their own. Degenerate faces, edges of three or more faces, faces that disagree in orientation
+/// and vertices of several fans are refused. Up to 2^32 - 2 half-edges.
+#[derive(Clone)]
+pub struct HalfEdgeMesh {
+    records: Box<[Record]>,
+    outgoing: Box<[Slot<HalfEdgeId>]>,
+}
+
+impl HalfEdgeMesh {
+    #[inline(always)]
+    fn record(&self, h: HalfEdgeId) -> &Record {
+        &self.records[h.index()]
+    }
+}
+
+impl fmt::Debug for HalfEdgeMesh {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (vertices, faces) = (self.vertex_count(), self.face_count());
+        write!(f, "HalfEdgeMesh {{ vertices: {vertices}, faces: {faces} }}")
+    }
+}
+
+impl FromFaces for HalfEdgeMesh {
+    fn build(vertex_count: usize, faces: Cow<'_, [[u32; 3]]>, pairing: Pairing) -> Result<Self, BuildError> {
+        pairing::check_counts(vertex_count, faces.len(), HalfEdgeId::MAX_INDEX)?;
+        let links: Links<Slot<HalfEdgeId>> = build::links(vertex_count, &faces, pairing, true, false)?;
+        let record = |(h, &opposite): (usize, &Slot<HalfEdgeId>)| {
+            let vertex = VertexId::new(corner::origin(&faces, h) as usize);
+            let h = HalfEdgeId::new(h);
+            Record { vertex, next: corner::next(h), prev: corner::prev(h), opposite, face: corner::face(h) }
+        };
+        let records = memory::collected(links.opposite.iter().enumerate().map(record))?;
+        Ok(Self { records: records.into(), outgoing: links.outgoing.into() })
+    }
+}
+
+impl Footprint for HalfEdgeMesh {
+    const BYTES: Bytes =
+        Bytes { constant: 0, vertex: 4, edge: 0, face: 60, curve: 0, edge_record: 0, vertex_record: 0 };
+
+    fn heap_bytes(&self) -> usize {
+        size_of_val(&*self.records) + size_of_val(&*self.outgoing)
+    }
+}
+
+impl Topology for HalfEdgeMesh {
+    type Vertex = VertexId;
+    type HalfEdge = HalfEdgeId;
+    type Face = FaceId;
+
+    #[inline(always)]
+    fn vertex_count(&self) -> usize {
+        self.outgoing.len()
+    }
+
+    #[inline(always)]
+    fn face_count(&self) -> usize {
+        self.records.len() / 3
+    }
+
+    #[inline(always)]
+    fn origin(&self, h: HalfEdgeId) -> VertexId {
+        self.record(h).vertex
+    }
+
+    #[inline(always)]
+    fn next(&self, h: HalfEdgeId) -> HalfEdgeId {
+        self.record(h).next
+    }
+
+    #[inline(always)]
+    fn prev(&self, h: HalfEdgeId) -> HalfEdgeId {
+        self.record(h).prev
+    }
+
+    #[inline(always)]
+    fn face(&self, h: HalfEdgeId) -> FaceId {
+        self.record(h).face
+    }
+}
+
+impl Adjacency for HalfEdgeMesh {
+    #[inline(always)]
+    fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.record(h).opposite.get()
+    }
+}
+
+impl Incidence for HalfEdgeMesh {
+    #[inline(always)]
+    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        self.outgoing[v.index()].get()
+    }
+}
