@@ -145,7 +145,6 @@ fn edges<M: EdgeMap>(mesh: &M) -> u64 {
 
 /// A bare graph knows neighbours and nothing else.
 impl<M: Neighbours> Kernels<M> {
-    #[allow(dead_code)] // no backend of the registry is a bare graph so far
     pub(crate) fn graph(mut self) -> Self {
         self.checks.push(("neighbours", |mesh| {
             let nodes = (0..mesh.node_count()).map(M::Node::new);

@@ -88,24 +88,25 @@ impl<'a> Comparison<'a> {
 
     fn compare(&mut self, name: String, vertices: usize, faces: Vec<[u32; 3]>) -> io::Result<()> {
         if faces.is_empty() {
-            let error = format!("{name}: no triangles to measure on");
-            self.give_up(name, error);
-            return Ok(());
+            return self.show(row::without_faces(name, vertices));
         }
         match Case::of(name.clone(), vertices, faces, self.options.seed) {
             Err(error) => {
                 self.give_up(name.clone(), format!("{name}: {error}"));
                 Ok(())
             }
-            Ok(case) => {
-                let mesh = self.measure(&case);
-                let text = report::mesh(&mesh, self.options.quadratic_up_to);
-                self.bar.suspend(|| output::print(&text))?;
-                mesh.mismatches.iter().for_each(|mismatch| output::complain(&format!("{name}: {mismatch}")));
-                self.run.meshes.push(mesh);
-                Ok(())
-            }
+            Ok(case) => self.show(self.measure(&case)),
         }
+    }
+
+    fn show(&mut self, mesh: Mesh) -> io::Result<()> {
+        let text = report::mesh(&mesh, self.options.quadratic_up_to);
+        self.bar.suspend(|| output::print(&text))?;
+        for mismatch in &mesh.mismatches {
+            output::complain(&format!("{}: {mismatch}", mesh.name));
+        }
+        self.run.meshes.push(mesh);
+        Ok(())
     }
 
     fn measure(&self, case: &Case) -> Mesh {

@@ -53,6 +53,9 @@ pub(crate) fn mesh(mesh: &Mesh, quadratic_up_to: usize) -> String {
             repair.steps, repair.vertices, repair.triangles
         );
     }
+    if mesh.backends.is_empty() {
+        return text;
+    }
     for table in [memory(mesh), builds(mesh), queries(mesh)] {
         // The rule below one table is the rule above the next.
         text += table.to_string().rsplit_once('\n').map_or("", |(lines, _)| lines);
@@ -150,11 +153,14 @@ fn scaled(timing: Option<Timing>, unit: f64) -> String {
 
 /// Three digits that count.
 fn digits(value: f64) -> String {
-    match value {
-        v if v < 9.995 => format!("{v:.2}"),
-        v if v < 99.95 => format!("{v:.1}"),
-        v => format!("{v:.0}"),
-    }
+    let places = match value {
+        v if v >= 99.95 => 0,
+        v if v >= 9.995 => 1,
+        v if v >= 0.9995 => 2,
+        v if v >= 0.09995 => 3,
+        _ => 4,
+    };
+    format!("{value:.places$}")
 }
 
 /// Lines of at most 110 characters.

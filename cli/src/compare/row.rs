@@ -137,6 +137,21 @@ impl<'a> Rows<'a> {
     }
 }
 
+/// A mesh that there is nothing to measure on.
+pub(crate) fn without_faces(name: String, vertices: usize) -> Mesh {
+    Mesh {
+        name,
+        vertices,
+        triangles: 0,
+        edges: 0,
+        defects: "nothing to measure on".into(),
+        repair: None,
+        random_vertices: Vec::new(),
+        backends: Vec::new(),
+        mismatches: Vec::new(),
+    }
+}
+
 /// A row with a place for every strategy, also those that are not timed.
 fn empty_row(name: &'static str, mesh: &'static str) -> Backend {
     let strategies = std::iter::once(Pairing::Auto).chain(Pairing::ALL);
