@@ -17,11 +17,14 @@ fn measured<M: FromFaces + Footprint>(vertex_count: usize, faces: &[[u32; 3]]) -
     Ok(M::from_faces(vertex_count, faces)?.heap_bytes() as f64 / faces.len() as f64)
 }
 
-macro_rules! measure_all {
+type Measure = fn(usize, &[[u32; 3]]) -> Result<f64, BuildError>;
+
+macro_rules! all {
     ($($name:ident $text:literal $mesh:ty [$($has:ident)*] [$($holds:ident)*];)+) => {
-        [$(measured::<$mesh>),+]
+        const MEASURES: &[Measure] = &[$(measured::<$mesh>),+];
     };
 }
+onering::with_backends!(all);
 
 fn main() -> Result<(), BuildError> {
     let (vertex_count, faces) = grid(300, 200);
@@ -29,7 +32,7 @@ fn main() -> Result<(), BuildError> {
         "bytes a triangle: on a closed mesh by the formula, and on an open grid of {} triangles\n",
         faces.len()
     );
-    for (backend, measure) in BACKENDS.iter().zip(onering::with_backends!(measure_all)) {
+    for (backend, measure) in BACKENDS.iter().zip(MEASURES) {
         let on_grid = measure(vertex_count, &faces)?;
         println!("{:22} {:3}  {on_grid:6.2}   {}", backend.name, backend.bytes.per_triangle(), backend.bytes);
     }

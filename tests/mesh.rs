@@ -106,7 +106,8 @@ fn one_preset_is_its_structure() {
     // Larger presets turn the smaller ones on that they contain: then the largest, the last, is meant.
     let on: Vec<_> = presets.iter().filter(|(_, on)| *on).map(|(name, _)| *name).collect();
     let family = |name: &str| name.split('-').next().map(str::to_owned);
-    let one_family = on.windows(2).all(|two| family(two[0]) == family(two[1]) && two[0] != "che-l2-edge-table");
+    let one_family =
+        on.windows(2).all(|two| family(two[0]) == family(two[1]) && two[0] != "che-l2-edge-table");
     let is_column_on = cfg!(feature = "store-next") && !cfg!(feature = "directed-edges-full");
     if !one_family || is_column_on {
         return;

@@ -6,7 +6,9 @@ const BEGIN: &str = "<!-- made from the registry, checked by tests/readme.rs -->
 const END: &str = "<!-- end -->";
 
 fn table() -> String {
-    let mut table = String::from("| structure | bytes | with xyz | formula | traits | holds |\n|---|---|---|---|---|---|\n");
+    let mut table = String::from(
+        "| structure | bytes | with xyz | formula | traits | holds |\n|---|---|---|---|---|---|\n",
+    );
     let words = |words: &[&str]| words.join(", ").replace('_', " ");
     for (name, bytes, formula) in NOT_BACKENDS {
         let bytes_text = bytes.map_or("-".into(), |bytes| bytes.to_string());

@@ -4,18 +4,13 @@
 
 const NONE: u32 = u32::MAX;
 
-/// Columns of directed edges; `next`, `prev` and `origin` are used by the larger variants.
+/// Columns of directed edges; `prev` and `origin` are used by the larger variants.
 pub(crate) struct Columns {
     pub(crate) origin: Vec<u32>,
     pub(crate) target: Vec<u32>,
-    pub(crate) next: Vec<u32>,
     pub(crate) prev: Vec<u32>,
     pub(crate) opposite: Vec<u32>,
     pub(crate) outgoing: Vec<u32>,
-}
-
-fn next(h: u32) -> u32 {
-    if h % 3 == 2 { h - 2 } else { h + 1 }
 }
 
 fn prev(h: u32) -> u32 {
@@ -31,7 +26,6 @@ impl Columns {
         Self {
             origin: half_edges().map(|h| mesh.origin(h).index() as u32).collect(),
             target: half_edges().map(|h| mesh.target(h).index() as u32).collect(),
-            next: half_edges().map(|h| index(Some(mesh.next(h)))).collect(),
             prev: half_edges().map(|h| index(Some(mesh.prev(h)))).collect(),
             opposite: half_edges().map(|h| index(mesh.opposite(h))).collect(),
             outgoing: mesh.vertices().map(|v| index(mesh.outgoing(v))).collect(),

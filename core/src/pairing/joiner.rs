@@ -30,10 +30,8 @@ impl EdgeRecords {
     /// The error of the edge that went wrong at the lowest half-edge.
     pub(super) fn first_error(&self, faces: &[[u32; 3]], allow_two: bool) -> Option<BuildError> {
         let refused = self.iter().filter(|record| record.len() > 2 || !allow_two);
-        let culprit = |record: &[HalfEdgeId]| {
-            let [a, b] = [record[0], record[1]].map(|h| corner::origin(faces, h.index()));
-            if a == b || record.len() == 2 { record[1] } else { record[2] }
-        };
+        // Two that run alike are at fault with the second; more than two are with the third, whichever way they run.
+        let culprit = |record: &[HalfEdgeId]| record[if record.len() == 2 { 1 } else { 2 }];
         let record = refused.min_by_key(|record| culprit(record))?;
         let face = |h: HalfEdgeId| h.index() / 3;
         let h = record[0].index();
