@@ -1,8 +1,5 @@
 //! Each known defect of the original implementations and of the printed algorithms has a test here that would
 //! catch it, run on every backend that has the ability. Expectations are counted by hand.
-//!
-//! Not here: "orientation reaches only the component of face 0", a defect of `orient()`. Backends do not
-//! orient; its test belongs to `repair`.
 use onering::{footprint::Footprint, *};
 
 /// More steps than any walk here has: a walk that does not end fails instead of hanging.
@@ -157,6 +154,22 @@ fn a_same_direction_pair_is_refused_or_held<M: FromFaces + Adjacency>(backend: &
     }
 }
 
+/// f. `orient()` reaches only the component of face 0. One face of each of three components is turned over here.
+fn every_component_is_oriented<M: FromFaces + Adjacency>() {
+    let mut faces = Vec::new();
+    for first in [0, 4, 8] {
+        let tetrahedron = [[0, 1, 3], [1, 2, 3], [1, 0, 2], [2, 3, 0]];
+        faces.extend(tetrahedron.map(|f: [u32; 3]| f.map(|v| v + first)));
+    }
+    let repaired = repair::repair(12, &faces, &Default::default()).unwrap();
+    assert_eq!(
+        (repaired.faces.len(), repaired.vertex_count, &repaired.flipped[..]),
+        (12, 12, &[3, 7, 11][..])
+    );
+    let mesh: M = build(&repaired.faces);
+    assert!(mesh.half_edges().all(|h| mesh.opposite(h).is_some()));
+}
+
 /// g. Queries across an edge use the link of a boundary half-edge unguarded.
 fn there_is_nothing_across_a_boundary<M: FromFaces + Adjacency>() {
     let mesh: M = build(&[[0, 1, 2]]);
@@ -206,6 +219,7 @@ macro_rules! adjacency {
             both_turns_see_every_face()
             an_edge_of_four_faces_is_refused_or_held($text)
             a_same_direction_pair_is_refused_or_held($text)
+            every_component_is_oriented()
             there_is_nothing_across_a_boundary()
         }
     };
