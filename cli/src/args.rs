@@ -62,10 +62,10 @@ pub(crate) struct Compare {
     /// Choose the random vertices and faces
     #[arg(long, value_name = "NUMBER", default_value_t = 2016)]
     pub(crate) seed: u64,
-    /// Time to spend on each figure; at least three runs are made
+    /// Time to spend on each figure; what takes over eight times as long is run once
     #[arg(long, value_name = "MILLISECONDS", default_value_t = 40)]
     pub(crate) budget: u64,
-    /// Build without a hash table, which takes quadratic time, on meshes up to this size
+    /// Do what takes quadratic time on meshes up to this size: build without a hash table, answer without a structure
     #[arg(long, value_name = "TRIANGLES", default_value_t = 6_000)]
     pub(crate) quadratic_up_to: usize,
 }
