@@ -7,8 +7,9 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// What a layout does with one column. Sealed: the three policies below are all there are.
-pub trait Policy: sealed::Sealed + 'static {
+/// What a layout does with one column. Sealed: the three policies below are all there are. (`Clone`, because
+/// that is what the derived `Clone` of `Table` asks of a policy.)
+pub trait Policy: sealed::Sealed + Clone + 'static {
     /// Name for tables in documentation.
     const NAME: &'static str;
     /// Cells in memory for each element: 1 or 0.

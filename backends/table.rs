@@ -191,6 +191,7 @@ impl<L: Layout> Topology for Table<L> {
     }
 }
 
+#[diagnostic::do_not_recommend] // the error is then of the trait, and names the remedy
 impl<L: Layout<Opposite: Kept>> Adjacency for Table<L> {
     #[inline(always)]
     fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
@@ -209,6 +210,7 @@ impl<L: Layout<Opposite: Kept>> Adjacency for Table<L> {
     }
 }
 
+#[diagnostic::do_not_recommend] // the error is then of the trait, and names the remedy
 impl<L: Layout<Opposite: Kept, Outgoing: Kept>> Incidence for Table<L> {
     #[inline(always)]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
@@ -223,6 +225,7 @@ impl<L: Layout<Opposite: Kept, Outgoing: Kept>> Incidence for Table<L> {
     }
 }
 
+#[diagnostic::do_not_recommend] // the error is then of the trait, and names the remedy
 impl<L: Layout<Opposite: Kept, Edges: Edges<List: Kept, Index: Answered>>> EdgeMap for Table<L> {
     type Edge = EdgeId;
 
@@ -246,6 +249,7 @@ impl<L: Layout<Opposite: Kept, Edges: Edges<List: Kept, Index: Answered>>> EdgeM
     }
 }
 
+#[diagnostic::do_not_recommend] // the error is then of the trait, and names the remedy
 impl<L: Layout<Opposite: Kept, Curves: Kept>> Boundaries for Table<L> {
     type Curve = CurveId;
 

@@ -6,6 +6,16 @@ use crate::{Adjacency, Handle, boundary::Curve};
 /// A curve is a run of boundary half-edges, each followed by the next one around its target. On a manifold it
 /// is closed. It ends early where that turn is stopped by an edge of three or more faces or by two faces that
 /// disagree in orientation.
+///
+/// ```compile_fail,E0277
+/// # use onering_core::*;
+/// fn holes(mesh: &impl Boundaries) -> usize {
+///     mesh.curve_count()
+/// }
+/// fn is_closed(mesh: &impl Adjacency) -> bool {
+///     holes(mesh) == 0 // the error names `boundary::curves(&mesh)`
+/// }
+/// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no names for boundary curves",
     label = "this mesh keeps no boundary curves",

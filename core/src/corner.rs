@@ -14,7 +14,7 @@ pub fn next<H: Handle>(h: H) -> H {
 #[inline(always)]
 pub fn prev<H: Handle>(h: H) -> H {
     let i = h.index();
-    H::new(if i % 3 == 0 { i + 2 } else { i - 1 })
+    H::new(if i.is_multiple_of(3) { i + 2 } else { i - 1 })
 }
 
 /// The run of three that `h` is in.

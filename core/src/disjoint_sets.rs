@@ -1,32 +1,27 @@
-//! Sets that only ever grow together (union-find).
-use crate::{Handle, Map};
+//! [`UnionFind`] over handles.
+use crate::{Handle, union_find::UnionFind};
+use core::marker::PhantomData;
 
 /// A partition of the handles below a count, at first each on its own.
 pub(crate) struct DisjointSets<H> {
-    parent: Map<H, H>,
+    sets: UnionFind,
+    kind: PhantomData<fn(H)>,
 }
 
 impl<H: Handle> DisjointSets<H> {
     pub(crate) fn new(count: usize) -> Self {
-        Self { parent: Map::from_fn(count, |h| h) }
+        Self { sets: UnionFind::new(count), kind: PhantomData }
     }
 
-    /// The least member of the set of `h`. Halves the path on the way.
-    pub(crate) fn least(&mut self, mut h: H) -> H {
-        loop {
-            let parent = self.parent[h];
-            let above = self.parent[parent];
-            if parent == above {
-                return parent;
-            }
-            self.parent[h] = above;
-            h = above;
-        }
+    /// The least member of the set of `h`.
+    #[inline]
+    pub(crate) fn least(&mut self, h: H) -> H {
+        H::new(self.sets.find(h.index() as u32) as usize)
     }
 
     /// Makes one set of those of `a` and `b`.
+    #[inline]
     pub(crate) fn join(&mut self, a: H, b: H) {
-        let (a, b) = (self.least(a), self.least(b));
-        self.parent[a.max(b)] = a.min(b);
+        self.sets.union(a.index() as u32, b.index() as u32);
     }
 }

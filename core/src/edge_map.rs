@@ -4,6 +4,16 @@ use crate::{Adjacency, Handle};
 /// Names undirected edges (Compact Half-Edge level 2).
 ///
 /// All half-edges of an [`edge_fan`](Adjacency::edge_fan) lie along one edge.
+///
+/// ```compile_fail,E0277
+/// # use onering_core::*;
+/// fn labels(mesh: &impl EdgeMap) -> Vec<bool> {
+///     vec![false; mesh.edge_count()]
+/// }
+/// fn label(mesh: &impl Adjacency) {
+///     labels(mesh); // the error names what computes edges, and the backends that keep them
+/// }
+/// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no names for edges",
     label = "this mesh has no edge map",

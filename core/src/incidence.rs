@@ -9,10 +9,20 @@ use crate::{
 ///
 /// A *fan* of a vertex is a run of its faces, each reached from the one before by
 /// [`rotate_ccw`](Adjacency::rotate_ccw). On a manifold every vertex that is not isolated has one.
+///
+/// ```compile_fail,E0277
+/// # use onering_core::*;
+/// fn degree<M: Incidence>(mesh: &M, v: M::Vertex) -> usize {
+///     mesh.star(v).count()
+/// }
+/// fn isolated<M: Adjacency>(mesh: &M) -> usize {
+///     mesh.vertices().filter(|&v| degree(mesh, v) == 0).count() // the error names `WithOutgoing::new(mesh)`
+/// }
+/// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot start from a vertex",
     label = "this mesh has no `outgoing`",
-    note = "wrap it in `WithOutgoing::new(mesh)` (or `Searched::new(mesh)`, O(faces) a query), or choose a backend with an `outgoing` column, such as `CheL2` or `DirectedEdgesSmall`",
+    note = "wrap it in `WithOutgoing::new(mesh)` (or `Searched::new(mesh)`, O(faces) a step), or choose a backend with an `outgoing` column, such as `CheL2` or `DirectedEdgesSmall`",
     note = "for `onering::Mesh`, turn on the feature `incidence` or a preset that has it, such as `che-l2`"
 )]
 pub trait Incidence: Adjacency {

@@ -33,8 +33,8 @@ pub struct KRing<V> {
 
 impl<V: Handle> KRing<V> {
     /// Scratch without memory yet: a search takes 8 bytes for each vertex of the mesh.
-    pub const fn new() -> Self {
-        Self { stamps: Map::new(), search: 0, reached: Vec::new(), ends: Vec::new() }
+    pub fn new() -> Self {
+        Self { stamps: Map::default(), search: 0, reached: Vec::new(), ends: Vec::new() }
     }
 
     /// Finds the levels around `v` up to level `levels`, or to the last one that has vertices. O(what it finds,

@@ -17,13 +17,6 @@ pub struct Map<H, T> {
     kind: PhantomData<fn(H)>,
 }
 
-impl<H, T> Map<H, T> {
-    /// A map of nothing, without memory.
-    pub const fn new() -> Self {
-        Self { cells: Vec::new(), kind: PhantomData }
-    }
-}
-
 impl<H: Handle, T> Map<H, T> {
     /// A map made by calling `f` for each handle with an index below `count`, in order.
     pub fn from_fn(count: usize, f: impl FnMut(H) -> T) -> Self {
@@ -95,7 +88,7 @@ impl<H, T> From<Vec<T>> for Map<H, T> {
 
 impl<H, T> Default for Map<H, T> {
     fn default() -> Self {
-        Self::new()
+        Vec::new().into()
     }
 }
 

@@ -1,13 +1,13 @@
 //! [`WithOutgoing`]: a mesh and a table of where to start around each vertex.
 use crate::{
     Adjacency, Boundaries, BuildError, EdgeMap, Footprint, Handle, Incidence, Map, Slot, Topology,
-    footprint::Bytes, memory, ring::Fan,
+    footprint::Bytes, memory, pairing, ring::Fan,
 };
 use alloc::vec::Vec;
 
 /// A mesh and a table of where to start around each vertex: gives [`Incidence`] to any [`Adjacency`].
 ///
-/// Four bytes a vertex. It is strict: the faces of every vertex form one fan. All that the mesh has already is
+/// Four bytes a vertex. It is strict: faces have three vertices, and those of every vertex form one fan. All that the mesh has already is
 /// handed on.
 #[derive(Clone, Debug)]
 pub struct WithOutgoing<T: Topology> {
@@ -19,10 +19,17 @@ impl<T: Adjacency> WithOutgoing<T> {
     /// Finds the first fan of every vertex of `mesh`. O(faces) where `opposite` is O(1).
     ///
     /// # Errors
-    /// [`BuildError::SeveralFans`] for the lowest vertex that has more than one, [`BuildError::OutOfMemory`], and
-    /// more vertices than a handle can name.
+    /// [`BuildError::DegenerateFace`] for the lowest, [`BuildError::SeveralFans`] for the lowest vertex that has more
+    /// than one, [`BuildError::OutOfMemory`], and more vertices than a handle can name.
     pub fn new(mesh: T) -> Result<Self, BuildError> {
-        crate::pairing::check_counts(mesh.vertex_count(), 0, 0)?;
+        pairing::check_counts(mesh.vertex_count(), 0, 0)?;
+        for f in mesh.faces() {
+            let [a, b, c] = mesh.face_vertices(f);
+            if a == b || b == c || c == a {
+                let vertex = if b == c { b } else { a };
+                return Err(BuildError::DegenerateFace { face: f.index(), vertex: vertex.index() as u32 });
+            }
+        }
         let mut outgoing: Map<T::Vertex, Slot<T::HalfEdge>> =
             memory::filled(mesh.vertex_count(), Slot::NONE)?.into();
         for h in mesh.half_edges() {

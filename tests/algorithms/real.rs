@@ -1,6 +1,6 @@
 //! The real meshes, against the figures in their manifest and the tables of the papers.
 use super::figures::Figures;
-use super::obj;
+use super::obj::{self, Real};
 use onering::neighbours::Neighbours;
 use onering::*;
 
@@ -8,7 +8,7 @@ pub fn topology<M>() {}
 pub fn edge_map<M>() {}
 
 pub fn adjacency<M: Adjacency + FromFaces>() {
-    for (name, (vertex_count, faces), figures) in obj::meshes(|_| true) {
+    for Real { name, vertex_count, faces, figures } in obj::meshes(|_| true) {
         let mesh = match M::from_faces(vertex_count, &faces) {
             Ok(mesh) => mesh,
             Err(error) => {
@@ -22,7 +22,7 @@ pub fn adjacency<M: Adjacency + FromFaces>() {
 }
 
 pub fn boundaries<M: Boundaries + FromFaces>() {
-    for (name, (vertex_count, faces), figures) in obj::meshes(|_| true) {
+    for Real { name, vertex_count, faces, figures } in obj::meshes(|_| true) {
         if let Ok(mesh) = M::from_faces(vertex_count, &faces) {
             assert_eq!(Some(mesh.curve_count() as u64), figures["boundary_loops"].as_u64(), "{name}");
         }
@@ -40,7 +40,7 @@ pub fn graph<M: Neighbours + FromFaces>() {
 
 /// Figueiredo et al. (2014), Table 6, column "Bunny".
 fn degrees_of_the_bunny<M: Neighbours + FromFaces>() {
-    for (_, (vertex_count, faces), figures) in obj::meshes(|name| name == "stanford_bunny.obj") {
+    for Real { vertex_count, faces, figures, .. } in obj::meshes(|name| name == "stanford_bunny.obj") {
         let degrees = degrees::degrees(&M::from_faces(vertex_count, &faces).unwrap());
         let table = "<=3   0.12 %\n4     1.32 %\n5    11.33 %\n6    75.12 %\n7    11.16 %\n8     0.86 %\n>=9   0.07 %\n";
         assert_eq!(degrees.to_string(), table);
@@ -54,7 +54,7 @@ fn degrees_of_the_bunny<M: Neighbours + FromFaces>() {
 /// vertices: 7, 20, 40, 68. The means over all vertices of this one (2,903) come near, as counts up to each level
 /// without the centre, and as nothing else: levels alone would be 6, 13, 20, 29.
 fn rings_of_a_cow<M: Neighbours + FromFaces>() {
-    for (_, (vertex_count, faces), _) in obj::meshes(|name| name == "cow.obj") {
+    for Real { vertex_count, faces, .. } in obj::meshes(|name| name == "cow.obj") {
         let Ok(mesh) = M::from_faces(vertex_count, &faces) else { continue };
         let mut ring = k_ring::KRing::new();
         let mut sums = [0; 4];

@@ -42,14 +42,24 @@ fn vertex(corner: &str, vertex_count: usize) -> u32 {
     (if index > 0 { index - 1 } else { vertex_count as i64 + index }) as u32
 }
 
-/// The OBJ files of the manifest that `wanted` takes by name: name, mesh, and what the oracle counted.
-pub fn meshes(wanted: fn(&str) -> bool) -> Vec<(String, (usize, Vec<[u32; 3]>), serde_json::Value)> {
+/// A mesh of the folder, and the `topology` that the oracle counted for it.
+pub struct Real {
+    pub name: String,
+    pub vertex_count: usize,
+    pub faces: Vec<[u32; 3]>,
+    pub figures: serde_json::Value,
+}
+
+/// The OBJ files of the manifest that `wanted` takes by name.
+pub fn meshes(wanted: fn(&str) -> bool) -> Vec<Real> {
     let Some(folder) = folder() else { return Vec::new() };
     let text = fs::read_to_string(folder.join("MANIFEST.json")).unwrap();
     let manifest: serde_json::Value = serde_json::from_str(&text).unwrap();
-    let files = manifest["files"].as_array().unwrap().iter();
-    let names = files.map(|entry| (entry["file"].as_str().unwrap(), &entry["figures"]["topology"]));
-    let chosen = names.filter(|(name, _)| name.ends_with(".obj") && wanted(name));
-    let load = |name| read(&fs::read_to_string(folder.join(name)).unwrap());
-    chosen.map(|(name, figures)| (name.to_owned(), load(name), figures.clone())).collect()
+    let entries = manifest["files"].as_array().unwrap().iter();
+    let named = entries.map(|entry| (entry["file"].as_str().unwrap(), &entry["figures"]["topology"]));
+    let load = |(name, figures): (&str, &serde_json::Value)| {
+        let (vertex_count, faces) = read(&fs::read_to_string(folder.join(name)).unwrap());
+        Real { name: name.to_owned(), vertex_count, faces, figures: figures.clone() }
+    };
+    named.filter(|(name, _)| name.ends_with(".obj") && wanted(name)).map(load).collect()
 }

@@ -73,7 +73,7 @@ fn directions() -> Vec<Case> {
             .several_fans(0, 2),
         Case::new("Moebius band", 5, &moebius, 10, None).same_direction([0, 1], [0, 4]).several_fans(0, 2),
         Case::new("a face twice", 3, &[[0, 1, 2], [1, 2, 0]], 3, None)
-            .same_direction([0, 1], [0, 1])
+            .same_direction([1, 2], [0, 1])
             .several_fans(0, 2),
         // Edge 0-1 comes first, but the second face on edge 2-3 before the third on it.
         Case::new("three faces on an edge, and two that disagree", 7, &MIXED, 12, None)

@@ -17,8 +17,14 @@ pub fn incidence<T: Incidence>(case: &Case, mesh: &T) {
         let at = format!("{}: {v:?}", case.name);
         let around = Around { at, mesh, slow: &slow, v };
         let runs = around.runs();
-        around.fans(&runs);
-        around.ring(&runs);
+        let first: &[usize] = runs.first().map_or(&[], |run| run);
+        if around.has_fans_across_opposites(&runs) {
+            around.fans_across_opposites(&runs);
+            around.ring_across_opposites(first);
+        } else {
+            around.fans_across_edges(&runs);
+            around.ring_across_edges(first);
+        }
         around.neighbours();
     }
 }
@@ -53,23 +59,12 @@ impl<T: Incidence> Around<'_, T> {
         runs
     }
 
-    fn has_same_direction(&self) -> bool {
-        let edges = |i: usize| [i, self.slow.sides[i].prev];
-        let out = self.slow.out_of(self.v.index());
-        out.into_iter().flat_map(edges).any(|i| self.slow.is_same_direction(i))
+    fn has_fans_across_opposites(&self, runs: &[Vec<usize>]) -> bool {
+        sets(runs) == sets(&self.slow.fans(self.v.index()))
     }
 
-    fn fans(&self, runs: &[Vec<usize>]) {
-        let (at, v) = (&self.at, self.v.index());
-        let sets = |of: &[Vec<usize>]| {
-            of.iter().map(|fan| BTreeSet::from_iter(fan.clone())).collect::<BTreeSet<_>>()
-        };
-        if sets(runs) != sets(&self.slow.fans(v)) {
-            assert!(self.has_same_direction(), "{at}: fans {runs:?}");
-            assert_eq!(sets(runs), sets(&self.slow.fans_across_edges(v)), "{at}: fans across edges");
-            self.each_touches_the_next(runs);
-            return;
-        }
+    fn fans_across_opposites(&self, runs: &[Vec<usize>]) {
+        let at = &self.at;
         for pair in runs.iter().flat_map(|run| run.windows(2)) {
             assert_eq!(self.slow.ccw(pair[0]), Some(pair[1]), "{at}: a fan is counter-clockwise");
         }
@@ -81,27 +76,46 @@ impl<T: Incidence> Around<'_, T> {
         }
     }
 
-    fn each_touches_the_next(&self, runs: &[Vec<usize>]) {
+    fn ring_across_opposites(&self, first: &[usize]) {
+        let sides = &self.slow.sides;
+        let lead = first.first().filter(|&&i| self.slow.opposite(i).is_none()).map(|&i| sides[i].to);
+        let expected = lead.into_iter().chain(first.iter().map(|&i| sides[sides[i].prev].from));
+        assert_eq!(self.one_ring(), Vec::from_iter(expected), "{}: one_ring, face by face", self.at);
+    }
+
+    /// Only where two faces disagree may a fan be another than turns across opposites give.
+    fn fans_across_edges(&self, runs: &[Vec<usize>]) {
+        let (at, v) = (&self.at, self.v.index());
+        let mut edges = self.slow.out_of(v).into_iter().flat_map(|i| self.edges(i));
+        assert!(edges.any(|i| self.slow.is_same_direction(i)), "{at}: fans {runs:?}");
+        assert_eq!(sets(runs), sets(&self.slow.fans_across_edges(v)), "{at}: fans across edges");
         for pair in runs.iter().flat_map(|run| run.windows(2)) {
-            assert!(self.slow.touch(pair[0], pair[1]), "{}: a fan goes from face to face", self.at);
+            assert!(self.slow.touch(pair[0], pair[1]), "{at}: a fan goes from face to face");
         }
     }
 
-    fn ring(&self, runs: &[Vec<usize>]) {
+    fn ring_across_edges(&self, first: &[usize]) {
+        let (at, ring, sides) = (&self.at, self.one_ring(), &self.slow.sides);
+        let is_closed = first.iter().flat_map(|&i| self.edges(i)).all(|i| sides[i].along.len() == 2);
+        assert_eq!(ring.len(), first.len() + usize::from(!is_closed), "{at}: one_ring {ring:?}");
+        let rim = |i: usize| BTreeSet::from([sides[i].to, sides[sides[i].prev].from]);
+        // A ring that is closed may begin with either vertex of its first face.
+        let spans = |turn: usize| {
+            let corner = |k: usize| ring[(k + turn) % ring.len()];
+            first.iter().enumerate().all(|(k, &i)| rim(i) == BTreeSet::from([corner(k), corner(k + 1)]))
+        };
+        let begins = spans(0) || is_closed && spans(ring.len() - 1);
+        assert!(begins, "{at}: one_ring {ring:?}: two in a row are of one face");
+    }
+
+    /// The two sides at the vertex of the face of `i`, a half-edge out of it.
+    fn edges(&self, i: usize) -> [usize; 2] {
+        [i, self.slow.sides[i].prev]
+    }
+
+    fn one_ring(&self) -> Vec<usize> {
         let ring = all(&self.at, || self.mesh.one_ring(self.v));
-        let ring: Vec<usize> = ring.into_iter().map(Handle::index).collect();
-        let first: &[usize] = runs.first().map_or(&[], |run| run);
-        let sides = &self.slow.sides;
-        if self.has_same_direction() {
-            let ends = |i: usize| [sides[i].to, sides[sides[i].prev].from];
-            let vertices: BTreeSet<usize> = first.iter().flat_map(|&i| ends(i)).collect();
-            assert_eq!(ring.len(), vertices.len(), "{}: one_ring has each vertex once", self.at);
-            assert_eq!(BTreeSet::from_iter(ring), vertices, "{}: one_ring", self.at);
-            return;
-        }
-        let lead = first.first().filter(|&&i| self.slow.opposite(i).is_none()).map(|&i| sides[i].to);
-        let expected = lead.into_iter().chain(first.iter().map(|&i| sides[sides[i].prev].from));
-        assert_eq!(ring, Vec::from_iter(expected), "{}: one_ring, face by face", self.at);
+        ring.into_iter().map(Handle::index).collect()
     }
 
     fn neighbours(&self) {
@@ -109,4 +123,8 @@ impl<T: Incidence> Around<'_, T> {
         let found = all(&self.at, || mesh.neighbours(v));
         same_neighbours(&self.at, &self.slow.neighbours(v.index()), found);
     }
+}
+
+fn sets(of: &[Vec<usize>]) -> BTreeSet<BTreeSet<usize>> {
+    of.iter().map(|fan| fan.iter().copied().collect()).collect()
 }

@@ -4,6 +4,7 @@ use core::fmt::Debug;
 
 /// What the iterators that `make` gives run through. Panics where `fold`, from wherever, does not agree with `next`,
 /// or the size hint is wrong.
+#[expect(clippy::while_let_on_iterator, reason = "`for` might run something else than `next`")]
 pub(super) fn all<I: Iterator<Item: PartialEq + Debug>>(what: &str, make: impl Fn() -> I) -> Vec<I::Item> {
     let mut items = Vec::new();
     let mut iterator = make();

@@ -1,0 +1,105 @@
+//! `heap_bytes` is what a backend really takes: its live allocations are counted.
+#![allow(
+    unsafe_code,
+    reason = "a global allocator is an unsafe trait; this one hands every call on to the system's"
+)]
+use onering::conformance::{self as laws, Flaw};
+use onering::{CheL1, Footprint, FromFaces, SharedVertex, WithOpposites, WithOutgoing};
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+thread_local! {
+    /// Bytes that this thread has allocated and not freed. Tests run each on a thread of its own.
+    static LIVE: Cell<isize> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+fn count(bytes: isize) {
+    // A thread that ends frees memory after its counter is gone.
+    let _ = LIVE.try_with(|live| live.set(live.get() + bytes));
+}
+
+// SAFETY: every call goes to `System` as it came, and the counter does not allocate.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count(layout.size() as isize);
+        // SAFETY: the caller's promise.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
+        count(-(layout.size() as isize));
+        // SAFETY: the caller's promise.
+        unsafe { System.dealloc(block, layout) }
+    }
+
+    unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count(size as isize - layout.size() as isize);
+        // SAFETY: the caller's promise.
+        unsafe { System.realloc(block, layout, size) }
+    }
+}
+
+/// What `make` gives, and how many more bytes are live after it.
+fn counted<T>(make: impl FnOnce() -> T) -> (T, usize) {
+    let before = LIVE.get();
+    let made = make();
+    (made, (LIVE.get() - before).try_into().expect("nothing is freed but what was made"))
+}
+
+/// Builds each case that a backend holds, and a larger mesh.
+fn counts_what_it_takes<M: FromFaces + Footprint + Clone>(holds: &[&str]) {
+    let holds = Flaw::named(holds);
+    let torus = laws::Case::counted("a larger torus", 120, laws::torus(12, 10));
+    for case in laws::corpus().into_iter().chain([torus]).filter(|case| case.refusal(&holds).is_none()) {
+        let (mesh, live) = counted(|| M::from_faces(case.vertices, &case.faces));
+        let mesh = mesh.unwrap();
+        assert_eq!(live, mesh.heap_bytes(), "{}: built", case.name);
+        let (copy, live) = counted(|| mesh.clone());
+        assert_eq!(live, copy.heap_bytes(), "{}: copied", case.name);
+    }
+}
+
+/// A list with room to spare, or of another size than its column, is not kept as it is.
+fn counts_what_it_keeps<M: FromFaces + Footprint>() {
+    let faces = laws::torus(12, 10);
+    let (mesh, live) = counted(|| {
+        let mut roomy = Vec::with_capacity(1000);
+        roomy.extend_from_slice(&faces);
+        M::from_face_vec(120, roomy).unwrap()
+    });
+    assert_eq!(live, mesh.heap_bytes());
+    let (refused, live) = counted(|| M::from_faces(100, &faces));
+    assert!(refused.is_err());
+    assert_eq!(live, 0, "a mesh that is refused leaves nothing behind");
+}
+
+macro_rules! backends {
+    ($($name:ident $text:literal $mesh:ty [$($has:ident)*] [$($holds:ident)*];)+) => {
+        mod heap_bytes {
+            use super::*;
+
+            $(#[test]
+            fn $name() {
+                counts_what_it_takes::<$mesh>(&[$(stringify!($holds)),*]);
+                counts_what_it_keeps::<$mesh>();
+            })+
+        }
+    };
+}
+onering::with_backends!(backends);
+
+#[test]
+fn adaptors() {
+    let faces = laws::torus(12, 10);
+    let soup = SharedVertex::from_faces(120, &faces).unwrap();
+    let (mesh, live) = counted(|| WithOpposites::new(soup.clone()).unwrap());
+    assert_eq!(live, mesh.heap_bytes());
+    assert_eq!(mesh.heap_bytes(), CheL1::from_faces(120, &faces).unwrap().heap_bytes());
+    let (mesh, live) = counted(|| WithOutgoing::new(mesh.clone()).unwrap());
+    assert_eq!(live, mesh.heap_bytes());
+}
