@@ -142,8 +142,8 @@ mod tests {
 
     #[test]
     fn a_file_after_the_names_of_backends_is_a_file() {
-        let mut compare = Compare::default();
-        compare.backends = ["che-l1", "che-l2", "./cow.obj"].map(String::from).into();
+        let backends = ["che-l1", "che-l2", "./cow.obj"].map(String::from).into();
+        let mut compare = Compare { backends, ..Compare::default() };
         give_back_files(&mut compare);
         assert_eq!(compare.backends, ["che-l1", "che-l2"]);
         assert_eq!(compare.files, [PathBuf::from("./cow.obj")]);

@@ -9,15 +9,19 @@ use super::timing::Clock;
 use onering::neighbours::Neighbours;
 use onering::{Adjacency, Boundaries, EdgeMap, Handle, Incidence, Topology};
 
+/// A question by name.
+type Check<M> = (&'static str, fn(&M) -> u64);
+type TimedRings<M> = fn(&M, &[u32], &Clock) -> Rings;
+
 /// The questions that one backend can answer. All answers are sums, which no order of walking changes.
 pub(crate) struct Kernels<M> {
     /// Compared, not timed.
-    pub(crate) checks: Vec<(&'static str, fn(&M) -> u64)>,
+    pub(crate) checks: Vec<Check<M>>,
     /// Words in records of vertices of several fans. Counted here, for structures differ in where a fan ends: some
     /// go on across two faces that run along an edge in the same direction.
     pub(crate) vertex_record_words: Option<fn(&M) -> usize>,
     /// Timed in itself, for the scratch that it keeps.
-    pub(crate) rings: Option<fn(&M, &[u32], &Clock) -> Rings>,
+    pub(crate) rings: Option<TimedRings<M>>,
     /// The sum of all neighbours of all vertices.
     pub(crate) sweep: Option<fn(&M) -> u64>,
     /// The sum of all neighbours of these vertices.
