@@ -9,12 +9,19 @@ use super::timing::Clock;
 use onering::neighbours::Neighbours;
 use onering::{Adjacency, Boundaries, EdgeMap, Handle, Incidence, Topology};
 
+/// A question by name.
+type Check<M> = (&'static str, fn(&M) -> u64);
+type TimedRings<M> = fn(&M, &[u32], &Clock) -> Rings;
+
 /// The questions that one backend can answer. All answers are sums, which no order of walking changes.
 pub(crate) struct Kernels<M> {
     /// Compared, not timed.
-    pub(crate) checks: Vec<(&'static str, fn(&M) -> u64)>,
+    pub(crate) checks: Vec<Check<M>>,
+    /// Words in records of vertices of several fans. Counted here, for structures differ in where a fan ends: some
+    /// go on across two faces that run along an edge in the same direction.
+    pub(crate) vertex_record_words: Option<fn(&M) -> usize>,
     /// Timed in itself, for the scratch that it keeps.
-    pub(crate) rings: Option<fn(&M, &[u32], &Clock) -> Rings>,
+    pub(crate) rings: Option<TimedRings<M>>,
     /// The sum of all neighbours of all vertices.
     pub(crate) sweep: Option<fn(&M) -> u64>,
     /// The sum of all neighbours of these vertices.
@@ -25,7 +32,14 @@ pub(crate) struct Kernels<M> {
 
 impl<M> Kernels<M> {
     pub(crate) fn new() -> Self {
-        Self { checks: Vec::new(), rings: None, sweep: None, vertex_queries: None, face_queries: None }
+        Self {
+            checks: Vec::new(),
+            vertex_record_words: None,
+            rings: None,
+            sweep: None,
+            vertex_queries: None,
+            face_queries: None,
+        }
     }
 
     /// Whether building pairs half-edges, so that there is a choice of strategy.
@@ -55,6 +69,7 @@ impl<M: Incidence> Kernels<M> {
     pub(crate) fn incidence(mut self) -> Self {
         self.checks.push(("star", stars));
         self.checks.push(("neighbours", neighbours));
+        self.vertex_record_words = Some(vertex_record_words);
         self.rings = Some(Rings::of);
         self.sweep = Some(|mesh| sum(mesh.vertices(), |v| ring_sum(mesh, v)));
         self.vertex_queries =
@@ -129,6 +144,11 @@ fn stars<M: Incidence>(mesh: &M) -> u64 {
 
 fn neighbours<M: Incidence>(mesh: &M) -> u64 {
     sum(mesh.vertices(), |v| sum(mesh.neighbours(v), |n| mix(v.index(), n.index())))
+}
+
+fn vertex_record_words<M: Incidence>(mesh: &M) -> usize {
+    let fans = mesh.vertices().map(|v| mesh.fans(v).count());
+    fans.filter(|&fans| fans > 1).map(|fans| 1 + fans).sum()
 }
 
 #[inline]

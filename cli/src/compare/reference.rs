@@ -3,7 +3,7 @@
 use super::kernels::{mix, mix_face};
 use super::sample::Soup;
 use onering::footprint::Counts;
-use onering::{CheL1, FromFaces, Pairing, boundary, fans, pairing};
+use onering::{CheL1, FromFaces, Pairing, boundary, pairing};
 
 /// The sides of all faces, those along the same edge next to each other.
 #[derive(Debug)]
@@ -84,8 +84,8 @@ fn add(sum: &mut u64, term: u64) {
     *sum = sum.wrapping_add(term);
 }
 
-/// The numbers of elements that formulas for memory are linear in. Without records and curves where the list has
-/// defects that no backend with such things holds.
+/// The numbers of elements that formulas for memory are linear in, but for the records of vertices. Without records
+/// of edges and curves where the list has defects that no backend with such things holds.
 pub(crate) fn counts(soup: &Soup, sides: &Sides) -> Counts {
     let mut counts = Counts {
         vertices: soup.vertex_count,
@@ -95,9 +95,6 @@ pub(crate) fn counts(soup: &Soup, sides: &Sides) -> Counts {
     };
     if let Ok(paired) = pairing::pair(soup.vertex_count, &soup.faces, Pairing::Auto) {
         counts.edge_record_words = paired.irregular.iter().map(|edge| 1 + edge.len()).sum();
-        let fans = fans::fans(soup.vertex_count, &soup.faces, &paired.opposite);
-        let several = fans.iter().flat_map(|fans| &fans.several);
-        counts.vertex_record_words = several.map(|(_, fans)| 1 + fans.len()).sum();
     }
     if let Ok(mesh) = CheL1::from_faces(soup.vertex_count, &soup.faces) {
         counts.curves = boundary::curves(&mesh).len();

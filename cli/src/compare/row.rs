@@ -6,6 +6,7 @@ use super::record::{Backend, Memory, Mesh, Named, Ring, Sweep};
 use super::subject::{BASELINE, SUBJECTS, Subject};
 use super::timing::Clock;
 use crate::args;
+use onering::footprint::Counts;
 use onering::registry::BACKENDS;
 use onering::{BuildError, Pairing};
 use std::time::Duration;
@@ -103,7 +104,8 @@ impl<'a> Rows<'a> {
 
     fn memory(&mut self, place: usize, state: &str, measured: &Measured, ready: &Ready) -> Memory {
         let entry = &BACKENDS[place];
-        let formula = entry.bytes.of(&ready.counts);
+        let counts = Counts { vertex_record_words: measured.vertex_record_words, ..ready.counts };
+        let formula = entry.bytes.of(&counts);
         if let Some(told) = measured.told.filter(|&told| told != formula) {
             let name = entry.name;
             self.mismatches.push(format!("{name} tells of {told} bytes, not {formula}, on the mesh {state}"));
@@ -195,4 +197,27 @@ fn fill(row: &mut Backend, measured: &Measured, ready: &Ready) {
     row.random_face_queries = measured.face_queries;
     let sums = measured.answers.iter().map(|&(name, sum)| (name.to_owned(), format!("{sum:016x}")));
     row.checksums = Named(sums.collect());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrong_answer_is_told_with_who_gave_it() {
+        let case = Case::of("square".into(), 4, vec![[0, 1, 2], [0, 2, 3]], 1).unwrap();
+        let mut rows = Rows::new(&case, &args::Compare::default());
+        let answers =
+            |answers: &[(&'static str, u64)]| Measured { answers: answers.into(), ..Measured::default() };
+        rows.compare("one", AS_IT_IS, &answers(&case.as_it_is.answers));
+        rows.compare("one", AS_IT_IS, &answers(&[("sweep", 7)]));
+        rows.compare("two", REPAIRED, &answers(&[("sweep", 8)]));
+        assert!(rows.mismatches.is_empty());
+        rows.compare("two", AS_IT_IS, &answers(&[("sweep", 8), ("star", 0)]));
+        let expected = [
+            "two and one differ in `sweep` on the mesh as it is",
+            "two and the list of faces differ in `star` on the mesh as it is",
+        ];
+        assert_eq!(rows.mismatches, expected);
+    }
 }
