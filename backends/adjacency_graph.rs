@@ -11,13 +11,13 @@ use onering_core::{
 /// A vertex graph in the manner of TopTri (Figueiredo et al. 2014) that knows its faces: directed edges with
 /// the neighbours of each vertex listed beside them.
 ///
-/// Rings are read from one run of memory instead of walked over opposites, so the order of faces in memory does not
-/// matter to them. Where a vertex has one fan its list is its `one_ring`, in order; otherwise the list begins
-/// with the first fan, has each neighbour once, and serves `neighbours` alone.
+/// Rings are read from one run of memory instead of walked over opposites, so the order of faces in memory
+/// does not matter to them. Where a vertex has one fan its list is its `one_ring`, in order; otherwise the list
+/// begins with the first fan, has each neighbour once, and serves `neighbours` alone.
 ///
-/// Faces and links are those of [`DirectedEdgesSmall`]: the half-edges of a `star` leave the vertex, so what is asked of them
-/// is their target, which that row stores; and it holds edges of three or more faces, faces that disagree in
-/// orientation and vertices of several fans. Degenerate faces are refused.
+/// Faces and links are those of [`DirectedEdgesSmall`]: the half-edges of a `star` leave the vertex, so what is
+/// asked of them is their target, which that row stores; and it holds edges of three or more faces, faces that
+/// disagree in orientation and vertices of several fans. Degenerate faces are refused.
 #[derive(Clone)]
 pub struct AdjacencyGraph {
     table: DirectedEdgesSmall,

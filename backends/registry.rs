@@ -51,3 +51,8 @@ macro_rules! entries {
     };
 }
 with_backends!(entries);
+
+/// Rows of the memory table that are no backends: name, bytes of connectivity a triangle where there is any, and
+/// the formula.
+pub const NOT_BACKENDS: [(&str, Option<usize>, &str); 2] =
+    [("explicit triangles", None, "36 T, positions and all"), ("edge list", Some(36), "12 T + 16 E")];

@@ -1,8 +1,8 @@
 //! Each known defect of the original implementations and of the printed algorithms has a test here that would
 //! catch it, run on every backend that has the ability. Expectations are counted by hand.
 //!
-//! Not here: "orientation reaches only the component of face 0", a defect of `orient()`. Backends do not orient;
-//! its test belongs to `repair`.
+//! Not here: "orientation reaches only the component of face 0", a defect of `orient()`. Backends do not
+//! orient; its test belongs to `repair`.
 use onering::{footprint::Footprint, *};
 
 /// More steps than any walk here has: a walk that does not end fails instead of hanging.
@@ -73,8 +73,8 @@ fn a_curve_starts_on_itself<M: FromFaces + Boundaries>() {
     assert_eq!(indices(rim), [1, 2, 3, 4, 5, 6]);
 }
 
-/// c. The faces around a vertex, level 1: a stray semicolon leaves the last one only. From any of its half-edges,
-/// both turns together see them all.
+/// c. The faces around a vertex, level 1: a stray semicolon leaves the last one only. From any of its
+/// half-edges, both turns together see them all.
 fn both_turns_see_every_face<M: FromFaces + Adjacency>() {
     let around = |mesh: &M, h| {
         let ccw = core::iter::successors(Some(h), |&g| mesh.rotate_ccw(g).filter(|&g| g != h));
@@ -93,7 +93,7 @@ fn both_turns_see_every_face<M: FromFaces + Adjacency>() {
     }
 }
 
-/// d. Rotation from a boundary start stops after one face; and Algorithms 1 and 2, which do not stop there at all.
+/// d. Rotation from a boundary start stops after one face; and Algorithms 1 and 2 do not stop at a boundary.
 fn a_turn_from_the_boundary_sees_the_whole_fan<M: FromFaces + Incidence>() {
     let wheel: M = build(&WHEEL);
     let v = M::Vertex::new;

@@ -1,3 +1,36 @@
-//! onering at the shell.
+//! onering at the shell: `inspect` tells what is in a mesh file, `compare` measures the data structures on it.
+//! Thin over the library: what it prints, the crates `onering` and `onering-io` can be asked for.
 
-fn main() {}
+mod args;
+mod compare;
+mod default_mesh;
+mod heap;
+mod inspect;
+mod output;
+
+use args::Command;
+use output::Status;
+use std::io::{self, ErrorKind};
+use std::process::ExitCode;
+
+#[global_allocator]
+static HEAP: heap::Counting = heap::Counting;
+
+fn main() -> ExitCode {
+    finish(match args::read() {
+        Command::Inspect(options) => inspect::run(&options),
+        Command::Compare(options) => compare::run(&options),
+    })
+}
+
+/// Whoever reads our output may stop early, as `head` does: that is no error.
+fn finish(end: io::Result<Status>) -> ExitCode {
+    match end {
+        Ok(status) => status.into(),
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(error) => {
+            output::complain(&format!("standard output: {error}"));
+            Status::Partly.into()
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! [`Incidence`]: neighbourhoods from a vertex.
 use crate::{
     Adjacency,
-    ring::{self, OneRing, Star},
+    ring::{self, Either, OneRing, Star},
 };
 
 /// Knows where to start around each vertex (Compact Half-Edge level 2, directed edges and up), so that its
@@ -53,9 +53,11 @@ pub trait Incidence: Adjacency {
     /// All neighbours of `v`, each once. On a manifold, the same as [`one_ring`](Self::one_ring).
     #[inline]
     fn neighbours(&self, v: Self::Vertex) -> impl Iterator<Item = Self::Vertex> {
-        let several = self.fans(v).nth(1).is_some();
-        let ring = (!several).then(|| self.one_ring(v)).into_iter().flatten();
-        // An edge of three or more faces leads to a neighbour that several fans share.
-        ring.chain(several.then(|| ring::each_neighbour_once(self, v)).into_iter().flatten())
+        if self.fans(v).nth(1).is_none() {
+            Either::Left(self.one_ring(v))
+        } else {
+            // An edge of three or more faces leads to a neighbour that several fans share.
+            Either::Right(ring::each_neighbour_once(self, v))
+        }
     }
 }

@@ -9,21 +9,30 @@
 extern crate alloc;
 
 pub mod boundary;
+pub mod components;
 #[cfg(feature = "conformance")]
 pub mod conformance;
 pub mod corner;
 pub mod defects;
+pub mod degrees;
+pub mod edges;
+pub mod euler;
 pub mod fans;
 pub mod footprint;
+pub mod k_ring;
 pub mod memory;
 pub mod neighbours;
+pub mod orientation;
 pub mod pairing;
 pub mod repair;
 pub mod ring;
+pub mod star;
+pub mod umbrella;
 pub mod union_find;
 
 mod adjacency;
 mod boundaries;
+mod disjoint_sets;
 mod edge_map;
 mod error;
 #[macro_use]

@@ -144,7 +144,10 @@ fn broken_accessors_are_refused_before_memory_is_taken() {
             short(Item::Accessor(0), max, 48),
         ),
         (format!(r#"{{"bufferView": 2, "count": 4, {float}}}"#), none(Item::BufferView(2), 2)),
-        (format!(r#"{{"bufferView": 4294967296, "count": 4, {float}}}"#), none(Item::BufferView(1 << 32), 2)),
+        (
+            format!(r#"{{"bufferView": 4294967295, "count": 4, {float}}}"#),
+            none(Item::BufferView(0xFFFF_FFFF), 2),
+        ),
     ] {
         let (place, got) = refusal(&with(r#"{"attributes": {"POSITION": 0}}"#, &accessor));
         // More than u32 can count is refused even before its bytes are looked for.
@@ -157,10 +160,63 @@ fn broken_accessors_are_refused_before_memory_is_taken() {
         r#"{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC2"}"#,
         r#"{"bufferView": 0, "componentType": 5125, "count": 4, "type": "VEC3"}"#,
         r#"{"bufferView": 0, "componentType": 5130, "count": 4, "type": "VEC3"}"#,
+        r#"{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC5"}"#,
     ] {
         let (_, reason) = refusal(&with(r#"{"attributes": {"POSITION": 0}}"#, accessor));
         assert!(matches!(reason, Reason::BadItem { item: Item::Accessor(0), .. }), "{reason}");
     }
+}
+
+/// The model of the crate gltf would take 2^32 + n for n. Each of these numbers, so raised, is refused, and
+/// so is nothing else: sizes, bounds and extras may be large.
+#[test]
+fn numbers_beyond_32_bits_do_not_wrap_around() {
+    let members = r#""meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 4}]}],
+        "buffers": [{"byteLength": 60}],
+        "bufferViews": [{"byteLength": 48, "buffer": 0}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "max": [4294967296],
+            "extras": {"buffer": 4294967296}, "sparse": {
+                "count": 1, "indices": {"componentType": 5123, "bufferView": 1}, "values": {"bufferView": 0 }}},
+            {"bufferView": 1 , "componentType": 5123 , "count": 6, "type": "SCALAR"}]"#;
+    assert_eq!(parse(&glb(&document(members), &square_bytes())).faces.len(), 2);
+    for number in [
+        r#""POSITION": 0"#,
+        r#""indices": 1"#,
+        r#""mode": 4"#,
+        r#""buffer": 0}"#,
+        r#""buffer": 0,"#,
+        r#""bufferView": 0,"#,
+        r#""bufferView": 1}"#,
+        r#""bufferView": 0 "#,
+        r#""bufferView": 1 "#,
+        r#""componentType": 5126"#,
+        r#""componentType": 5123,"#,
+        r#""componentType": 5123 "#,
+    ] {
+        assert_eq!(members.matches(number).count(), 1, "{number}");
+        let small: u64 = number.chars().filter(char::is_ascii_digit).collect::<String>().parse().unwrap();
+        let raised = number.replace(&small.to_string(), &(small + (1 << 32)).to_string());
+        let text = document(&members.replace(number, &raised));
+        match refusal(&glb(&text, &square_bytes())) {
+            (Place::File, Reason::Json { message }) => {
+                assert!(message.contains(&format!("integer `{}`", small + (1 << 32))), "{number}: {message}");
+            }
+            other => panic!("{number}: {other:?}"),
+        }
+    }
+}
+
+/// What the model of the crate gltf does not know, or takes too strictly, does not make a file unreadable.
+#[test]
+fn what_is_not_geometry_may_be_anything() {
+    let mesh = parse(&square(
+        r#"{"attributes": {"POSITION": 0, "_HEAT": 0, "TEXCOORD_x": 0, "teapot": 0, "": 0}, "indices": 1,
+            "extras": 5, "extensions": {"ACME_teapots": [{}]}}"#,
+    ));
+    assert_eq!((mesh.positions.len(), mesh.faces.len(), mesh.notes.len()), (4, 2, 0));
+    let members = r#""scenes": [{}], "animations": [{"samplers": [], "channels": [
+        {"sampler": 0, "target": {"path": "pointer"}}]}], "materials": [{"alphaMode": 7}], "extras": "text""#;
+    assert_eq!(parse(document(members).as_bytes()), Triangles::default());
 }
 
 #[test]

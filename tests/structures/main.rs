@@ -6,3 +6,17 @@ mod meshes;
 mod soups;
 mod vertex_graph;
 mod winged_edge;
+
+use onering::*;
+
+#[test]
+fn backends_can_be_shared_cloned_and_printed() {
+    fn print<M: FromFaces + Clone + std::fmt::Debug + Send + Sync + 'static>() -> String {
+        format!("{:?}", M::from_faces(4, &meshes::TETRAHEDRON).unwrap().clone())
+    }
+    assert_eq!(print::<MateFace>(), "MateFace { vertices: 4, faces: 4 }");
+    assert_eq!(print::<HalfEdgeMesh>(), "HalfEdgeMesh { vertices: 4, faces: 4 }");
+    assert_eq!(print::<WingedEdge>(), "WingedEdge { vertices: 4, edges: 6, faces: 4 }");
+    assert_eq!(print::<VertexGraph>(), "VertexGraph { vertices: 4, edges: 6 }");
+    assert_eq!(print::<AdjacencyGraph>(), "AdjacencyGraph { vertices: 4, faces: 4 }");
+}

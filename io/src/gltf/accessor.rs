@@ -2,9 +2,12 @@
 
 use std::path::Path;
 
+use ::gltf::json::accessor::{Accessor, ComponentType, GenericComponentType, IndexComponentType, Type};
+use ::gltf::json::validation::Checked;
+
 use super::buffers::Buffers;
-use super::component::{Component, unsigned, vector};
-use super::schema::{Accessor, Document};
+use super::component::{is_unsigned, unsigned, vector};
+use super::document::Document;
 use crate::memory::reserve;
 use crate::{Error, Format, Item, Place, Reason};
 
@@ -54,7 +57,7 @@ impl<'a> Source<'a> {
 
     /// How many elements an accessor says that it has.
     pub(super) fn count(&self, i: usize, place: Place) -> Result<u64, Error> {
-        self.accessor(i, place).map(|accessor| accessor.count)
+        self.accessor(i, place).map(|accessor| accessor.count.0)
     }
 
     /// Whether any bytes stand behind accessor `i`.
@@ -65,12 +68,12 @@ impl<'a> Source<'a> {
     /// Appends the positions in accessor `i`.
     pub(super) fn positions(&mut self, i: usize, place: Place, out: &mut Vec<[f32; 3]>) -> Result<(), Error> {
         let accessor = self.accessor(i, place)?;
-        let component = self.component(accessor.component_type, Item::Accessor(i), place)?;
-        if accessor.shape != "VEC3" || component == Component::U32 {
+        let component = self.component(accessor, i, place)?;
+        if accessor.type_ != Checked::Valid(Type::Vec3) || component == ComponentType::U32 {
             return Err(self.bad(Item::Accessor(i), place, "positions must be VEC3 of floats"));
         }
         let quantised = self.document.extensions_required.iter().any(|name| name == "KHR_mesh_quantization");
-        if component != Component::F32 && !quantised {
+        if component != ComponentType::F32 && !quantised {
             let problem = "positions other than floats need KHR_mesh_quantization";
             return Err(self.bad(Item::Accessor(i), place, problem));
         }
@@ -81,8 +84,8 @@ impl<'a> Source<'a> {
     /// The indices in accessor `i`.
     pub(super) fn indices(&mut self, i: usize, place: Place) -> Result<Vec<u32>, Error> {
         let accessor = self.accessor(i, place)?;
-        let component = self.component(accessor.component_type, Item::Accessor(i), place)?;
-        if accessor.shape != "SCALAR" || !component.is_unsigned() {
+        let component = self.component(accessor, i, place)?;
+        if accessor.type_ != Checked::Valid(Type::Scalar) || !is_unsigned(component) {
             return Err(self.bad(Item::Accessor(i), place, "indices must be SCALAR of unsigned integers"));
         }
         let mut out = Vec::new();
@@ -100,19 +103,19 @@ impl<'a> Source<'a> {
         out: &mut Vec<T>,
     ) -> Result<(), Error> {
         let accessor = self.accessor(i, place)?;
-        let first = out.len();
+        let (first, count) = (out.len(), accessor.count.0);
         match accessor.buffer_view {
             Some(view) => {
-                let layout =
-                    self.layout(view, accessor.byte_offset, accessor.count, size, Item::Accessor(i), place)?;
+                let offset = accessor.byte_offset.unwrap_or_default().0;
+                let layout = self.layout(view.value(), offset, count, size, Item::Accessor(i), place)?;
                 reserve(out, layout.count)?;
                 out.extend(self.slices(&layout, size).map(&decode));
             }
             None => {
                 // All zero, by the standard. No byte backs them, so the proportion is all that bounds them.
-                self.check_proportion(accessor.count, place)?;
-                reserve(out, accessor.count as usize)?;
-                out.resize(first + accessor.count as usize, T::default());
+                self.check_proportion(count, place)?;
+                reserve(out, count as usize)?;
+                out.resize(first + count as usize, T::default());
             }
         }
         self.replace_sparse(i, place, size, decode, &mut out[first..])
@@ -130,14 +133,13 @@ impl<'a> Source<'a> {
         let Some(sparse) = &self.accessor(i, place)?.sparse else { return Ok(()) };
         let item = Item::Sparse(i);
         let (indices, values) = (&sparse.indices, &sparse.values);
-        let component = self.component(indices.component_type, item, place)?;
-        if !component.is_unsigned() {
+        let Checked::Valid(IndexComponentType(component)) = indices.component_type else {
             return Err(self.bad(item, place, "indices must be unsigned integers"));
-        }
-        let width = component.size();
+        };
+        let (count, width) = (sparse.count.0, component.size());
         let names =
-            self.layout(indices.buffer_view, indices.byte_offset, sparse.count, width, item, place)?;
-        let news = self.layout(values.buffer_view, values.byte_offset, sparse.count, size, item, place)?;
+            self.layout(indices.buffer_view.value(), indices.byte_offset.0, count, width, item, place)?;
+        let news = self.layout(values.buffer_view.value(), values.byte_offset.0, count, size, item, place)?;
         for (name, new) in self.slices(&names, width).zip(self.slices(&news, size)) {
             let slot = out.get_mut(unsigned(name, component) as usize);
             *slot.ok_or_else(|| self.bad(item, place, "it replaces an element beyond the last"))? =
@@ -159,11 +161,12 @@ impl<'a> Source<'a> {
         let views = &self.document.buffer_views;
         let buffer_view =
             views.get(view).ok_or_else(|| self.missing(Item::BufferView(view), views.len(), place))?;
-        let buffer = buffer_view.buffer;
+        let buffer = buffer_view.buffer.value();
         if buffer >= self.buffers.count() {
             return Err(self.missing(Item::Buffer(buffer), self.buffers.count(), place));
         }
-        let stride = buffer_view.byte_stride.filter(|stride| *stride != 0).unwrap_or(size as u64);
+        let stride = buffer_view.byte_stride.map_or(0, |stride| stride.0 as u64);
+        let stride = if stride == 0 { size as u64 } else { stride };
         if stride < size as u64 {
             return Err(self.bad(Item::BufferView(view), place, "elements overlap: byteStride is too small"));
         }
@@ -171,12 +174,13 @@ impl<'a> Source<'a> {
             0 => 0,
             _ => (count - 1).saturating_mul(stride).saturating_add(offset).saturating_add(size as u64),
         };
-        self.check_fits(item, needed, buffer_view.byte_length, place)?;
+        self.check_fits(item, needed, buffer_view.byte_length.0, place)?;
         self.buffers.load(buffer)?;
+        let view_offset = buffer_view.byte_offset.unwrap_or_default().0;
         let available = self.buffers.bytes(buffer).len() as u64;
-        self.check_fits(item, needed.saturating_add(buffer_view.byte_offset), available, place)?;
+        self.check_fits(item, needed.saturating_add(view_offset), available, place)?;
         // All of these are at most `available`, or are not used where there is no element.
-        let start = if count == 0 { 0 } else { (buffer_view.byte_offset + offset) as usize };
+        let start = if count == 0 { 0 } else { (view_offset + offset) as usize };
         let stride = usize::try_from(stride).unwrap_or(usize::MAX);
         Ok(Layout { buffer, start, stride, count: count as usize })
     }
@@ -197,8 +201,11 @@ impl<'a> Source<'a> {
         accessors.get(i).ok_or_else(|| self.missing(Item::Accessor(i), accessors.len(), place))
     }
 
-    fn component(&self, number: u64, item: Item, place: Place) -> Result<Component, Error> {
-        Component::of(number).ok_or_else(|| self.bad(item, place, "unknown componentType"))
+    fn component(&self, accessor: &Accessor, i: usize, place: Place) -> Result<ComponentType, Error> {
+        match accessor.component_type {
+            Checked::Valid(GenericComponentType(component)) => Ok(component),
+            Checked::Invalid => Err(self.bad(Item::Accessor(i), place, "unknown componentType")),
+        }
     }
 
     fn check_fits(&self, item: Item, needed: u64, available: u64, place: Place) -> Result<(), Error> {

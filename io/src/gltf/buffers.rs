@@ -3,10 +3,10 @@
 use std::borrow::Cow;
 use std::path::Path;
 
+use ::gltf::json::Buffer;
 use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
-use super::schema::Buffer;
 use crate::beside::{self, Refusal};
 use crate::error::quote;
 use crate::{Error, Format, Item, Place, Reason};
@@ -47,7 +47,7 @@ impl<'a> Buffers<'a> {
             return Ok(());
         }
         let mut bytes = self.fetch(i)?;
-        let (needed, available) = (self.buffers[i].byte_length, bytes.len() as u64);
+        let (needed, available) = (self.buffers[i].byte_length.0, bytes.len() as u64);
         if available < needed {
             return Err(self.malformed(i, Reason::TooShort { item: Item::Buffer(i), needed, available }));
         }
@@ -78,7 +78,7 @@ impl<'a> Buffers<'a> {
         }
         let folder =
             self.folder.ok_or_else(|| refuse(uri, "bytes in memory have no folder to find it in"))?;
-        beside::read(folder, uri, buffers[i].byte_length).map(Cow::Owned).map_err(|refusal| match refusal {
+        beside::read(folder, uri, buffers[i].byte_length.0).map(Cow::Owned).map_err(|refusal| match refusal {
             Refusal::Uri(problem) => refuse(uri, problem),
             Refusal::Io(path, source) => Error::Io { path, source },
         })

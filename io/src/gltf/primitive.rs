@@ -1,10 +1,14 @@
 //! Primitives to triangles.
 
+use ::gltf::json::mesh::{self, Primitive, Semantic};
+use ::gltf::json::validation::Checked;
+
 use super::accessor::Source;
-use super::schema::Primitive;
 use crate::memory::reserve;
 use crate::triangles::skip;
 use crate::{Error, Place, Reason, Skipped, Triangles};
+
+const DRACO: &str = "KHR_draco_mesh_compression";
 
 /// The ways in which corners make triangles.
 #[derive(Clone, Copy)]
@@ -27,23 +31,25 @@ impl<'a> Assembly<'a> {
 
     /// Appends the vertices and triangles of a primitive, or a note on why it has none.
     pub(super) fn add(&mut self, primitive: &Primitive, place: Place) -> Result<(), Error> {
-        let number = primitive.mode.unwrap_or(4);
-        let Some(mode) = Mode::of(number) else {
-            let what = if number < 4 { Skipped::PrimitiveMode(number) } else { Skipped::UnknownModes };
-            skip(&mut self.out.notes, what, 1, place);
-            return Ok(());
+        let mode = match Mode::of(primitive.mode) {
+            Ok(mode) => mode,
+            Err(what) => {
+                skip(&mut self.out.notes, what, 1, place);
+                return Ok(());
+            }
         };
-        let Some(position) = primitive.attributes.position else {
+        let Some(position) = primitive.attributes.get(&Checked::Valid(Semantic::Positions)) else {
             skip(&mut self.out.notes, Skipped::NoPositions, 1, place);
             return Ok(());
         };
+        let position = position.value();
         self.check_draco(primitive, position, place)?;
         let base = self.out.positions.len();
         self.add_positions(position, place)?;
         let count = self.out.positions.len() - base;
         match primitive.indices {
             Some(indices) => {
-                let corners = self.source.indices(indices, place)?;
+                let corners = self.source.indices(indices.value(), place)?;
                 self.check_corners(&corners, count, place)?;
                 self.add_faces(mode, corners.len(), |i| base as u32 + corners[i], place)
             }
@@ -61,11 +67,12 @@ impl<'a> Assembly<'a> {
     /// A primitive may hold its data twice, plain and compressed. Without the plain data it would be read
     /// as vertices that are all zero.
     fn check_draco(&self, primitive: &Primitive, position: usize, place: Place) -> Result<(), Error> {
-        if primitive.extensions.draco.is_none() || self.source.has_data(position, place)? {
+        let extensions = primitive.extensions.as_ref();
+        let has_draco = extensions.is_some_and(|extensions| extensions.others.contains_key(DRACO));
+        if !has_draco || self.source.has_data(position, place)? {
             return Ok(());
         }
-        let feature = "KHR_draco_mesh_compression".to_owned();
-        Err(Error::Unsupported { format: self.source.format, path: None, place, feature })
+        Err(Error::Unsupported { format: self.source.format, path: None, place, feature: DRACO.to_owned() })
     }
 
     fn add_positions(&mut self, accessor: usize, place: Place) -> Result<(), Error> {
@@ -118,13 +125,15 @@ impl<'a> Assembly<'a> {
 }
 
 impl Mode {
-    fn of(number: u32) -> Option<Self> {
-        Some(match number {
-            4 => Self::List,
-            5 => Self::Strip,
-            6 => Self::Fan,
-            _ => return None,
-        })
+    /// How corners make triangles, or why there are none.
+    fn of(mode: Checked<mesh::Mode>) -> Result<Self, Skipped> {
+        match mode {
+            Checked::Valid(mesh::Mode::Triangles) => Ok(Self::List),
+            Checked::Valid(mesh::Mode::TriangleStrip) => Ok(Self::Strip),
+            Checked::Valid(mesh::Mode::TriangleFan) => Ok(Self::Fan),
+            Checked::Valid(other) => Err(Skipped::PrimitiveMode(other.as_gl_enum())),
+            Checked::Invalid => Err(Skipped::UnknownModes),
+        }
     }
 
     fn face_count(self, corners: usize) -> usize {

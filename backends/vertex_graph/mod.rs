@@ -1,5 +1,8 @@
 //! [`VertexGraph`]: neighbours alone, as TopTri has them.
+mod common;
+
 use alloc::{borrow::Cow, boxed::Box, vec::Vec};
+use common::{Common, from};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
 use onering_core::{
@@ -16,8 +19,8 @@ use onering_core::{
 /// [`AdjacencyGraph`](crate::AdjacencyGraph), which keeps them.
 ///
 /// Edges are named by their two vertices, faces by their three. Lists are ascending, so that an intersection is
-/// one merge, with doubling steps through the longer list: O(shorter x log(longer / shorter)), where the original has
-/// hash tables (Python dictionaries). Queries give iterators and take no memory.
+/// one merge, with doubling steps through the longer list: O(shorter x log(longer / shorter)), where the
+/// original has hash tables (Python dictionaries). Queries give iterators and take no memory.
 ///
 /// | query | in TopTri | |
 /// |---|---|---|
@@ -110,8 +113,8 @@ impl VertexGraph {
         Common::new(around, self.list(v)).map(move |w| [u, v, w])
     }
 
-    /// The other 3-cycles along the sides of `f`, side after side, as [`edge_faces`](Self::edge_faces) has them:
-    /// `fGetAdjacentFaces`. Three intersections.
+    /// The other 3-cycles along the sides of `f`, side after side, as [`edge_faces`](Self::edge_faces) has
+    /// them: `fGetAdjacentFaces`. Three intersections.
     #[inline]
     pub fn adjacent_faces(&self, f: [VertexId; 3]) -> impl Iterator<Item = [VertexId; 3]> + Clone {
         let [u, v, w] = f;
@@ -138,50 +141,6 @@ impl VertexGraph {
     }
 }
 
-/// What is in both of two ascending lists.
-#[derive(Clone, Debug)]
-struct Common<'a> {
-    short: &'a [VertexId],
-    long: &'a [VertexId],
-}
-
-impl<'a> Common<'a> {
-    #[inline]
-    fn new(a: &'a [VertexId], b: &'a [VertexId]) -> Self {
-        let (short, long) = if a.len() <= b.len() { (a, b) } else { (b, a) };
-        Self { short, long }
-    }
-}
-
-impl Iterator for Common<'_> {
-    type Item = VertexId;
-
-    #[inline]
-    fn next(&mut self) -> Option<VertexId> {
-        while let [v, rest @ ..] = self.short {
-            self.short = rest;
-            self.long = from(self.long, *v);
-            if self.long.first() == Some(v) {
-                return Some(*v);
-            }
-        }
-        None
-    }
-}
-
-/// What an ascending list has from `v` on. O(log of what is skipped): a short list against that of a hub would
-/// take time for the whole of the latter.
-#[inline]
-fn from(list: &[VertexId], v: VertexId) -> &[VertexId] {
-    let mut bound = 1;
-    while bound < list.len() && list[bound - 1] < v {
-        bound *= 2;
-    }
-    let unsure = bound / 2..bound.min(list.len());
-    let start = unsure.start.min(unsure.end);
-    &list[start + list[start..unsure.end].partition_point(|&w| w < v)..]
-}
-
 impl fmt::Debug for VertexGraph {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "VertexGraph {{ vertices: {}, edges: {} }}", self.vertex_count(), self.edge_count())
@@ -189,7 +148,7 @@ impl fmt::Debug for VertexGraph {
 }
 
 impl FromFaces for VertexGraph {
-    /// Nothing is paired, so `pairing` makes no difference. O(faces log degree); 12 bytes a face and 8 a vertex
+    /// Nothing is paired, so `pairing` makes no difference. O(faces log degree); 12 bytes a face and 4 a vertex
     /// of scratch.
     fn build(vertex_count: usize, faces: Cow<'_, [[u32; 3]]>, _: Pairing) -> Result<Self, BuildError> {
         pairing::check_counts(vertex_count, faces.len(), MAX_HALF_EDGES)?;
@@ -202,11 +161,7 @@ impl FromFaces for VertexGraph {
             offsets[low + 1] += 1;
             offsets[high + 1] += 1;
         }
-        let mut sum = 0;
-        for offset in &mut offsets[1..] {
-            (*offset, sum) = (sum, sum + *offset);
-        }
-        let mut neighbours = memory::filled(sum as usize, VertexId::new(0))?;
+        let mut neighbours = memory::filled(counts_to_starts(&mut offsets[1..]), VertexId::new(0))?;
         let mut add = |to: usize, v: usize| {
             neighbours[offsets[to + 1] as usize] = VertexId::new(v);
             offsets[to + 1] += 1;
@@ -225,11 +180,7 @@ fn edges_by_lower(vertex_count: usize, faces: &[[u32; 3]]) -> Result<(Vec<u32>, 
     let sides = || faces.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]).filter(|(a, b)| a != b);
     let mut ends = memory::filled(vertex_count, 0u32)?;
     sides().for_each(|(a, b)| ends[a.min(b) as usize] += 1);
-    let mut sum = 0;
-    for end in &mut ends {
-        (*end, sum) = (sum, sum + *end);
-    }
-    let mut higher = memory::filled(sum as usize, 0u32)?;
+    let mut higher = memory::filled(counts_to_starts(&mut ends), 0u32)?;
     for (a, b) in sides() {
         let end = &mut ends[a.min(b) as usize];
         higher[*end as usize] = a.max(b);
@@ -241,6 +192,15 @@ fn edges_by_lower(vertex_count: usize, faces: &[[u32; 3]]) -> Result<(Vec<u32>, 
         start = end as usize;
     }
     Ok((ends, higher))
+}
+
+/// Turns the length of each list into its start. Gives the length of all.
+fn counts_to_starts(lengths: &mut [u32]) -> usize {
+    let mut sum = 0;
+    for length in lengths {
+        (*length, sum) = (sum, sum + *length);
+    }
+    sum as usize
 }
 
 /// Every edge once, ascending, lower vertex first.

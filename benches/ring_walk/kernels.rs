@@ -1,0 +1,63 @@
+//! The sweeps that `ring_walk` times and `instructions` counts: each structure generic and by hand.
+use super::by_hand::{Cells, Columns};
+use onering::{DirectedEdgesFull, DirectedEdgesMedium, DirectedEdgesSmall, FromFaces, Handle, Incidence};
+
+/// Sums the index of every neighbour of every vertex through the trait.
+pub(crate) fn sweep(mesh: &impl Incidence) -> u64 {
+    mesh.vertices().map(|v| mesh.one_ring(v).map(|u| u.index() as u64).sum::<u64>()).sum()
+}
+
+/// One kernel: which structure, which way, and the sweep itself.
+pub(crate) struct Kernel {
+    pub(crate) structure: &'static str,
+    pub(crate) way: &'static str,
+    pub(crate) run: Box<dyn Fn() -> u64>,
+}
+
+/// A closed torus of `2 columns rows` triangles in rows.
+pub(crate) fn torus(columns: u32, rows: u32) -> (usize, Vec<[u32; 3]>) {
+    let v = |c: u32, r: u32| (r % rows) * columns + c % columns;
+    let quad = |c, r| {
+        let [a, b, d, e] = [v(c, r), v(c + 1, r), v(c + 1, r + 1), v(c, r + 1)];
+        [[a, b, d], [a, d, e]]
+    };
+    let faces = (0..rows).flat_map(|r| (0..columns).flat_map(move |c| quad(c, r))).collect();
+    ((columns * rows) as usize, faces)
+}
+
+/// Every kernel over one mesh.
+pub(crate) fn kernels(vertex_count: usize, faces: &[[u32; 3]]) -> Vec<Kernel> {
+    fn pair<M: Incidence + FromFaces + 'static>(
+        structure: &'static str,
+        (vertex_count, faces): (usize, &[[u32; 3]]),
+        by_hand: impl FnOnce(&M) -> Box<dyn Fn() -> u64>,
+    ) -> [Kernel; 2] {
+        let mesh = M::from_faces(vertex_count, faces).expect("a manifold");
+        let by_hand = Kernel { structure, way: "by hand", run: by_hand(&mesh) };
+        [Kernel { structure, way: "generic", run: Box::new(move || sweep(&mesh)) }, by_hand]
+    }
+    fn columns<M: Incidence>(
+        sweep: impl Fn(&Columns) -> u64 + 'static,
+    ) -> impl FnOnce(&M) -> Box<dyn Fn() -> u64> {
+        |mesh| {
+            let columns = Columns::of(mesh);
+            Box::new(move || sweep(&columns))
+        }
+    }
+    let mesh = (vertex_count, faces);
+    let mut all = Vec::new();
+    all.extend(pair::<DirectedEdgesSmall>("directed-edges-small", mesh, columns(Columns::small)));
+    all.extend(pair::<DirectedEdgesMedium>("directed-edges-medium", mesh, columns(Columns::medium)));
+    all.extend(pair::<DirectedEdgesFull>("directed-edges-full", mesh, columns(Columns::full)));
+    all.extend(pair::<onering::MateFace>("mate-face", mesh, |mesh| {
+        let cells = Cells::of(mesh);
+        Box::new(move || cells.mate_face())
+    }));
+    let oriented =
+        onering::MateFace::from_faces(vertex_count, faces).map(|mesh| Cells::of(&mesh)).expect("a manifold");
+    let run = Box::new(move || oriented.mate_face_oriented());
+    all.push(Kernel { structure: "mate-face", way: "by hand, faces known to agree", run });
+    let sums: Vec<u64> = all.iter().map(|kernel| (kernel.run)()).collect();
+    assert!(sums.iter().all(|&sum| sum == sums[0]), "the sweeps disagree: {sums:?}");
+    all
+}

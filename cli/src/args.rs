@@ -1,0 +1,152 @@
+//! What can be said on the command line.
+
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand};
+use onering::registry::BACKENDS;
+use std::path::PathBuf;
+
+/// One Topology trait, every triangle-mesh data structure.
+///
+/// Without a command: the same as `onering compare`.
+#[derive(Debug, Parser)]
+#[command(name = "onering", version, after_help = EXIT_CODES)]
+struct Args {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  all was done
+  1  some files could not be read, or backends gave different answers
+  2  wrong usage, or no file could be read";
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    Inspect(Inspect),
+    Compare(Compare),
+}
+
+/// Tell what is in mesh files: counts, defects, topology, size
+///
+/// Figures are given for the mesh as loaded, and again with vertices at equal positions welded. Positions are
+/// 32-bit floats, each rounded once from the file; area and volume are summed in 64 bits.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXIT_CODES)]
+pub(crate) struct Inspect {
+    /// Mesh files: .obj, .gltf, .glb
+    #[arg(value_name = "FILE", required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Print one JSON object for each file, on a line of its own
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Measure the data structures on meshes: memory, build time, queries
+///
+/// Each backend is built from the same list of triangles. Where it cannot hold the mesh as it is, it gets the
+/// repaired one, and the report says so. All answers are checked against each other and against the plain
+/// list; a difference is an error.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXIT_CODES)]
+pub(crate) struct Compare {
+    /// Mesh files: .obj, .gltf, .glb; without any, two meshes made on the spot, of over 80,000 triangles
+    #[arg(value_name = "FILE")]
+    pub(crate) files: Vec<PathBuf>,
+    /// Measure these backends only [default: all]
+    #[arg(long = "backend", value_name = "NAME", num_args = 1.., value_delimiter = ',', long_help = backend_help())]
+    pub(crate) backends: Vec<String>,
+    /// Write everything that was measured to this file as JSON
+    #[arg(long, value_name = "FILE")]
+    pub(crate) json: Option<PathBuf>,
+    /// Choose the random vertices and faces
+    #[arg(long, value_name = "NUMBER", default_value_t = 2016)]
+    pub(crate) seed: u64,
+    /// Time to spend on each figure; at least three runs are made
+    #[arg(long, value_name = "MILLISECONDS", default_value_t = 40)]
+    pub(crate) budget: u64,
+    /// Build without a hash table, which takes quadratic time, on meshes up to this size
+    #[arg(long, value_name = "TRIANGLES", default_value_t = 6_000)]
+    pub(crate) quadratic_up_to: usize,
+}
+
+impl Default for Compare {
+    fn default() -> Self {
+        let args = Args::parse_from(["onering", "compare"]);
+        let Some(Command::Compare(compare)) = args.command else { unreachable!("it says `compare`") };
+        compare
+    }
+}
+
+impl Compare {
+    /// The backends asked for, as their places in the registry.
+    pub(crate) fn chosen(&self) -> Vec<usize> {
+        let asked = |name: &str| self.backends.is_empty() || self.backends.iter().any(|asked| asked == name);
+        (0..BACKENDS.len()).filter(|&i| asked(BACKENDS[i].name)).collect()
+    }
+}
+
+/// Reads the command line. Where it is wrong, says so and ends the process with 2.
+pub(crate) fn read() -> Command {
+    match Args::parse().command.unwrap_or_else(|| Command::Compare(Compare::default())) {
+        Command::Compare(mut compare) => {
+            give_back_files(&mut compare);
+            check_backends(&compare.backends);
+            Command::Compare(compare)
+        }
+        command => command,
+    }
+}
+
+/// In `--backend che-l1 che-l2 cow.obj`, the last word is a file: no backend has a dot or a slash in its name.
+fn give_back_files(compare: &mut Compare) {
+    let given = !compare.backends.is_empty();
+    let is_name = |word: &String| !word.contains(['.', '/', '\\']);
+    let (names, files): (Vec<_>, Vec<_>) =
+        std::mem::take(&mut compare.backends).into_iter().partition(is_name);
+    if given && names.is_empty() {
+        fail(&format!("--backend needs a name; {}", known()));
+    }
+    compare.backends = names;
+    compare.files.extend(files.into_iter().map(PathBuf::from));
+}
+
+fn check_backends(names: &[String]) {
+    let unknown = names.iter().find(|name| BACKENDS.iter().all(|backend| backend.name != name.as_str()));
+    if let Some(name) = unknown {
+        fail(&format!("no backend is named '{name}'; {}", known()));
+    }
+}
+
+fn fail(message: &str) -> ! {
+    Args::command().error(ErrorKind::InvalidValue, message).exit()
+}
+
+fn known() -> String {
+    let names: Vec<&str> = BACKENDS.iter().map(|backend| backend.name).collect();
+    format!("the backends are {}", names.join(", "))
+}
+
+fn backend_help() -> String {
+    format!("Measure these backends only; {} [default: all]", known())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        Args::command().debug_assert();
+    }
+
+    #[test]
+    fn a_file_after_the_names_of_backends_is_a_file() {
+        let mut compare = Compare::default();
+        compare.backends = ["che-l1", "che-l2", "./cow.obj"].map(String::from).into();
+        give_back_files(&mut compare);
+        assert_eq!(compare.backends, ["che-l1", "che-l2"]);
+        assert_eq!(compare.files, [PathBuf::from("./cow.obj")]);
+        assert_eq!(compare.chosen().len(), 2);
+    }
+}

@@ -1,0 +1,71 @@
+//! One mesh to compare on: as it is, and repaired for the backends that cannot hold that.
+
+use super::record;
+use super::reference::{self, Sides};
+use super::sample::{Sample, Soup};
+use onering::defects::Defects;
+use onering::footprint::Counts;
+use onering::repair::{RepairError, RepairOptions, repair};
+
+/// A list of triangles with all that is needed to measure on it.
+#[derive(Debug)]
+pub(crate) struct Ready {
+    pub(crate) soup: Soup,
+    pub(crate) sample: Sample,
+    pub(crate) counts: Counts,
+    /// What every backend should answer.
+    pub(crate) answers: Vec<(&'static str, u64)>,
+}
+
+/// A mesh in the one or two states that it is measured in.
+#[derive(Debug)]
+pub(crate) struct Case {
+    pub(crate) name: String,
+    pub(crate) as_it_is: Ready,
+    pub(crate) defects: String,
+    pub(crate) repaired: Option<(Ready, record::Repair)>,
+}
+
+impl Case {
+    /// `faces` are not empty.
+    pub(crate) fn of(
+        name: String,
+        vertex_count: usize,
+        faces: Vec<[u32; 3]>,
+        seed: u64,
+    ) -> Result<Self, RepairError> {
+        let defects = Defects::of(vertex_count, &faces);
+        let is_clean = defects.is_clean();
+        let soup = Soup { vertex_count, faces, is_clean };
+        let repaired = if is_clean { None } else { repaired(&soup, seed)? };
+        let as_it_is = Ready::of(soup, seed);
+        Ok(Self { name, as_it_is, defects: defects.to_string(), repaired })
+    }
+}
+
+/// `None` where no face is left.
+fn repaired(soup: &Soup, seed: u64) -> Result<Option<(Ready, record::Repair)>, RepairError> {
+    let mended = repair(soup.vertex_count, &soup.faces, &RepairOptions::default())?;
+    if mended.faces.is_empty() {
+        return Ok(None);
+    }
+    let repair = record::Repair {
+        steps: mended.to_string(),
+        vertices: mended.vertex_count,
+        triangles: mended.faces.len(),
+    };
+    let soup = Soup { vertex_count: mended.vertex_count, faces: mended.faces, is_clean: true };
+    Ok(Some((Ready::of(soup, seed), repair)))
+}
+
+impl Ready {
+    fn of(soup: Soup, seed: u64) -> Self {
+        let sides = Sides::of(&soup.faces);
+        Self {
+            sample: Sample::of(&soup, seed),
+            counts: reference::counts(&soup, &sides),
+            answers: sides.answers(&soup.faces),
+            soup,
+        }
+    }
+}

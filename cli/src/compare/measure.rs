@@ -1,0 +1,95 @@
+//! Builds one backend, takes the time of its answers, and keeps the answers.
+
+use super::kernels::Kernels;
+use super::rings::Rings;
+use super::sample::{Sample, Soup, strategies};
+use super::timing::{Clock, Timing};
+use crate::heap;
+use onering::{BuildError, Footprint, FromFaces, Pairing, Searched, SharedVertex};
+
+/// What to measure on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Plan<'a> {
+    pub(crate) soup: &'a Soup,
+    pub(crate) sample: &'a Sample,
+    pub(crate) clock: Clock,
+    pub(crate) with_quadratic: bool,
+}
+
+/// What was measured. `None` is what the backend cannot answer.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Measured {
+    /// Bytes on the heap, as the allocator counts.
+    pub(crate) counted: usize,
+    /// The most bytes on the heap while it was built, the list of faces not included.
+    pub(crate) peak: usize,
+    /// Bytes on the heap, as the backend says.
+    pub(crate) told: Option<usize>,
+    /// The strategy that the library takes of its own accord first.
+    pub(crate) build: Vec<(Pairing, Timing)>,
+    pub(crate) rings: Option<Rings>,
+    pub(crate) sweep: Option<Timing>,
+    pub(crate) vertex_queries: Option<Timing>,
+    pub(crate) face_queries: Option<Timing>,
+    /// Answers by name, to compare.
+    pub(crate) answers: Vec<(&'static str, u64)>,
+}
+
+/// A backend of the registry.
+pub(crate) fn backend<M: FromFaces + Footprint>(
+    plan: &Plan<'_>,
+    kernels: &Kernels<M>,
+) -> Result<Measured, BuildError> {
+    let Soup { vertex_count, ref faces, .. } = *plan.soup;
+    let build = |pairing| M::build(vertex_count, faces.into(), pairing);
+    let (mesh, growth) = heap::growth(|| build(Pairing::Auto));
+    let mesh = mesh?;
+    let mut measured = Measured { counted: growth.kept, peak: growth.peak, ..Measured::default() };
+    measured.told = Some(mesh.heap_bytes());
+    let more = strategies(plan.with_quadratic).filter(|_| kernels.pairs());
+    for pairing in std::iter::once(Pairing::Auto).chain(more) {
+        measured.build.push((pairing, plan.clock.time(|| build(pairing))));
+    }
+    measured.ask(&mesh, kernels, plan);
+    Ok(measured)
+}
+
+/// No structure at all. Queries are so slow that only one in a hundred is asked.
+pub(crate) fn searched(
+    plan: &Plan<'_>,
+    kernels: &Kernels<Searched<SharedVertex>>,
+) -> Result<Measured, BuildError> {
+    const RARELY: usize = 100;
+    let few = |all: &[u32]| all.iter().step_by(RARELY).copied().collect();
+    let Sample { starts, vertices, faces } = plan.sample;
+    let sample = Sample { starts: starts.clone(), vertices: few(vertices), faces: few(faces) };
+    let mesh = Searched::new(SharedVertex::from_faces(plan.soup.vertex_count, &plan.soup.faces)?);
+    let mut measured = Measured::default();
+    measured.ask(&mesh, kernels, &Plan { sample: &sample, ..*plan });
+    for timing in [&mut measured.vertex_queries, &mut measured.face_queries].into_iter().flatten() {
+        *timing = timing.scaled(RARELY as f64);
+    }
+    measured.answers.retain(|(name, _)| !name.ends_with("queries"));
+    Ok(measured)
+}
+
+impl Measured {
+    /// Puts all questions, those that are timed first.
+    pub(crate) fn ask<M>(&mut self, mesh: &M, kernels: &Kernels<M>, plan: &Plan<'_>) {
+        let Sample { starts, vertices, faces } = plan.sample;
+        let clock = plan.clock;
+        self.rings = kernels.rings.map(|rings| rings(mesh, starts, &clock));
+        self.sweep = kernels.sweep.map(|sweep| clock.time(|| sweep(mesh)));
+        self.vertex_queries = kernels.vertex_queries.map(|ask| clock.time(|| ask(mesh, vertices)));
+        self.face_queries = kernels.face_queries.map(|ask| clock.time(|| ask(mesh, faces)));
+        self.answers = kernels.checks.iter().map(|&(name, check)| (name, check(mesh))).collect();
+        // A bare graph has no first fan to walk around: its neighbours are the one-ring only on manifolds.
+        if plan.soup.is_clean {
+            let sweep = kernels.sweep.map(|sweep| ("sweep", sweep(mesh)));
+            let queries = kernels.vertex_queries.map(|ask| ("vertex_queries", ask(mesh, vertices)));
+            self.answers.extend(sweep.into_iter().chain(queries));
+        }
+        self.answers.extend(kernels.face_queries.map(|ask| ("face_queries", ask(mesh, faces))));
+        self.answers.extend(self.rings.as_ref().map(|rings| ("rings", rings.checksum())));
+    }
+}

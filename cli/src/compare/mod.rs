@@ -1,0 +1,155 @@
+//! `onering compare`: every backend on every mesh.
+
+mod case;
+mod kernels;
+mod machine;
+mod measure;
+mod record;
+mod reference;
+mod report;
+mod rings;
+mod row;
+mod sample;
+mod subject;
+mod timing;
+
+use crate::args;
+use crate::default_mesh;
+use crate::output::{self, Replacement, Status};
+use case::Case;
+use indicatif::{ProgressBar, ProgressStyle};
+use machine::Machine;
+use record::{Mesh, Run, Settings, Unread};
+use row::Rows;
+use std::io;
+use std::path::Path;
+
+/// Measures, prints a report for each mesh as soon as it is done, and writes the JSON at the end.
+pub(crate) fn run(options: &args::Compare) -> io::Result<Status> {
+    // A file that cannot be written is better known before the work than after it.
+    let json = match options.json.as_deref().map(|path| (path, Replacement::create(path))) {
+        Some((path, Err(error))) => {
+            output::complain(&format!("{}: {error}", path.display()));
+            return Ok(Status::Nothing);
+        }
+        other => other.and_then(|(path, file)| Some((path, file.ok()?))),
+    };
+    let mut run = Comparison::new(options);
+    output::print(&report::head(&run.run))?;
+    if options.files.is_empty() {
+        for made in default_mesh::all() {
+            run.compare(made.name.to_owned(), made.vertex_count, made.faces)?;
+        }
+    }
+    for file in &options.files {
+        run.compare_file(file)?;
+    }
+    run.finish(json)
+}
+
+struct Comparison<'a> {
+    options: &'a args::Compare,
+    chosen: Vec<usize>,
+    bar: ProgressBar,
+    run: Run,
+}
+
+impl<'a> Comparison<'a> {
+    fn new(options: &'a args::Compare) -> Self {
+        let chosen = options.chosen();
+        let settings = Settings {
+            seed: options.seed,
+            budget_ms: options.budget,
+            quadratic_up_to_triangles: options.quadratic_up_to,
+            ring_starts: sample::STARTS,
+            random_queries: sample::QUERIES,
+        };
+        let meshes = if options.files.is_empty() { default_mesh::all().len() } else { options.files.len() };
+        let run = Run {
+            version: env!("CARGO_PKG_VERSION"),
+            machine: Machine::this(),
+            settings,
+            notes: report::NOTES,
+            meshes: Vec::new(),
+            unread: Vec::new(),
+        };
+        Self { options, bar: progress(meshes * chosen.len()), chosen, run }
+    }
+
+    fn compare_file(&mut self, file: &Path) -> io::Result<()> {
+        match onering_io::load(file) {
+            Ok(mesh) => self.compare(file.display().to_string(), mesh.positions.len(), mesh.faces),
+            Err(error) => {
+                self.give_up(file.display().to_string(), error.to_string());
+                Ok(())
+            }
+        }
+    }
+
+    fn compare(&mut self, name: String, vertices: usize, faces: Vec<[u32; 3]>) -> io::Result<()> {
+        if faces.is_empty() {
+            return self.show(row::without_faces(name, vertices));
+        }
+        match Case::of(name.clone(), vertices, faces, self.options.seed) {
+            Err(error) => {
+                self.give_up(name.clone(), format!("{name}: {error}"));
+                Ok(())
+            }
+            Ok(case) => self.show(self.measure(&case)),
+        }
+    }
+
+    fn show(&mut self, mesh: Mesh) -> io::Result<()> {
+        let text = report::mesh(&mesh, self.options.quadratic_up_to);
+        self.bar.suspend(|| output::print(&text))?;
+        for mismatch in &mesh.mismatches {
+            output::complain(&format!("{}: {mismatch}", mesh.name));
+        }
+        self.run.meshes.push(mesh);
+        Ok(())
+    }
+
+    fn measure(&self, case: &Case) -> Mesh {
+        let mut rows = Rows::new(case, self.options);
+        for &i in &self.chosen {
+            self.bar.set_message(format!("{} on {}", subject::SUBJECTS[i].name, case.name));
+            rows.measure(i);
+            self.bar.inc(1);
+        }
+        if self.options.backends.is_empty() {
+            rows.measure_baseline();
+        }
+        rows.into_mesh()
+    }
+
+    fn give_up(&mut self, file: String, error: String) {
+        self.bar.inc(self.chosen.len() as u64);
+        self.bar.suspend(|| output::complain(&error));
+        self.run.unread.push(Unread { file, error });
+    }
+
+    fn finish(self, json: Option<(&Path, Replacement)>) -> io::Result<Status> {
+        self.bar.finish_and_clear();
+        let Run { meshes, unread, .. } = &self.run;
+        let mut status = Status::of(meshes.len(), unread.len());
+        if meshes.iter().any(|mesh| !mesh.mismatches.is_empty()) {
+            status = Status::Partly;
+        }
+        if let Some((path, file)) = json {
+            let mut text = serde_json::to_vec_pretty(&self.run)?;
+            text.push(b'\n');
+            if let Err(error) = file.finish(&text) {
+                output::complain(&format!("{}: {error}", path.display()));
+                status = Status::Partly;
+            }
+        }
+        Ok(status)
+    }
+}
+
+/// On standard error, and only where that is a terminal.
+fn progress(steps: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
+    let bar = ProgressBar::new(steps as u64);
+    if let Ok(style) = style { bar.with_style(style) } else { bar }
+}

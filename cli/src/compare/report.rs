@@ -1,0 +1,179 @@
+//! The report for people to read: two tables for each mesh.
+
+use super::record::{Mesh, Run};
+use super::rings::LEVELS;
+use super::sample::{QUERIES, STARTS};
+use super::timing::Timing;
+use comfy_table::{CellAlignment, LineStyle, Table, TableStyle};
+use std::fmt::Write;
+
+/// A rule above, one under the header, one below.
+const RULES: TableStyle = TableStyle::new()
+    .top_border(LineStyle::none().fill('─').junction('─'))
+    .header_separator(LineStyle::none().fill('─').junction('─'))
+    .bottom_border(LineStyle::none().fill('─').junction('─'));
+
+/// How to read the figures.
+pub(crate) const NOTES: &[&str] = &[
+    "Bytes are of topology alone: no positions. Formula: V vertices, E edges, T triangles, B boundary curves. \
+     Counted: what the heap holds more once it is built. Peak: the most that it held more meanwhile. The list of \
+     triangles it is built from is borrowed and in neither.",
+    "Times are medians of repeated runs, after one to warm up. Build: from a list of triangles in memory, by how \
+     half-edges are paired; without hash is the quadratic search, paper hash is Eq. (7), both of Biscaro et al. \
+     (2016), Tables 3 and 4; auto is what the library takes.",
+    "Rings: all vertices within so many edges of one vertex, from random vertices, with scratch that is kept \
+     (Fig. 16, Table 5). Sweep: the one-ring of every vertex. Vertex queries: the one-rings of random vertices. \
+     Face queries: the three faces across the edges of random faces. A bare graph gives all neighbours as the \
+     one-ring.",
+    "All answers are compared by checksums, between backends and with the list of triangles. `-` is what a backend \
+     cannot answer, or what was left out, as said under the table.",
+];
+
+/// Says what runs where, before it runs.
+pub(crate) fn head(run: &Run) -> String {
+    let mut text = format!("onering {} on {}\n", run.version, run.machine);
+    let _ = writeln!(
+        text,
+        "seed {}: {STARTS} random vertices for rings, {QUERIES} random queries of each kind",
+        run.settings.seed
+    );
+    NOTES.iter().for_each(|note| text += &format!("{}\n", wrapped(note)));
+    text
+}
+
+/// Everything about one mesh.
+pub(crate) fn mesh(mesh: &Mesh, quadratic_up_to: usize) -> String {
+    let Mesh { name, vertices, triangles, edges, defects, repair, .. } = mesh;
+    let mut text =
+        format!("\n{name}: {vertices} vertices, {edges} edges, {triangles} triangles; {defects}\n");
+    if let Some(repair) = repair {
+        let _ = writeln!(
+            text,
+            "repaired for backends that cannot hold this: {}; then {} vertices, {} triangles",
+            repair.steps, repair.vertices, repair.triangles
+        );
+    }
+    if mesh.backends.is_empty() {
+        return text;
+    }
+    for table in [memory(mesh), builds(mesh), queries(mesh)] {
+        // The rule below one table is the rule above the next.
+        text += table.to_string().rsplit_once('\n').map_or("", |(lines, _)| lines);
+        text.push('\n');
+    }
+    text + &announcements(mesh, quadratic_up_to)
+}
+
+fn memory(mesh: &Mesh) -> Table {
+    let header = ["Bytes a triangle", "mesh", "formula", "=", "counted", "peak"];
+    let mut table = table(&header, 3);
+    for row in &mesh.backends {
+        if let Some(memory) = &row.memory {
+            let bytes = [
+                memory.formula_bytes_per_triangle,
+                memory.counted_bytes_per_triangle,
+                memory.peak_bytes_per_triangle,
+            ];
+            let words = [row.name, row.mesh, &memory.formula].map(str::to_owned);
+            table.add_row(words.into_iter().chain(bytes.map(|bytes| format!("{bytes:.2}"))));
+        }
+    }
+    table
+}
+
+fn builds(mesh: &Mesh) -> Table {
+    let header =
+        ["Build, ms", "mesh", "auto", "without hash", "paper hash", "hash", "counting sort", "chain"];
+    let mut table = table(&header, 2);
+    for row in mesh.backends.iter().filter(|row| !row.build.0.is_empty()) {
+        let times = row.build.0.iter().map(|&(_, timing)| scaled(timing, 1e6));
+        table.add_row([row.name, row.mesh].map(str::to_owned).into_iter().chain(times));
+    }
+    table
+}
+
+fn queries(mesh: &Mesh) -> Table {
+    let ring = |level: usize| {
+        let found = mesh.backends.iter().find_map(|row| row.rings.get(level - 1));
+        found.map_or(String::new(), |ring| format!("{level}-ring, us\n({:.0})", ring.vertices))
+    };
+    let rings: [String; LEVELS] = std::array::from_fn(|k| ring(k + 1));
+    let mut header = vec!["Queries\n(vertices)", "mesh"];
+    header.extend(rings.iter().map(String::as_str));
+    header.extend(["sweep,\nns/vertex", "vertex\nqueries, ms", "face\nqueries, ms"]);
+    let mut table = table(&header, 2);
+    for row in &mesh.backends {
+        let mut cells = vec![row.name.to_owned(), row.mesh.to_owned()];
+        cells.extend((0..LEVELS).map(|k| scaled(row.rings.get(k).map(|ring| ring.timing), 1e3)));
+        cells.push(row.sweep.as_ref().map_or("-".into(), |sweep| digits(sweep.ns_per_vertex)));
+        cells.extend([row.random_vertex_queries, row.random_face_queries].map(|timing| scaled(timing, 1e6)));
+        table.add_row(cells);
+    }
+    table
+}
+
+fn announcements(mesh: &Mesh, limit: usize) -> String {
+    let mut text = String::new();
+    if mesh.triangles > limit {
+        let _ = writeln!(
+            text,
+            "left out above {limit} triangles (--quadratic-up-to): building without hash, and `no data structure`"
+        );
+    } else {
+        text += "`no data structure` searches all faces; of its random queries one in 100 is timed\n";
+    }
+    for row in &mesh.backends {
+        if let Some(refusal) = &row.refusal {
+            let _ = writeln!(text, "{} {}: {refusal}", row.name, row.mesh);
+        }
+    }
+    match mesh.mismatches.len() {
+        0 => text += "checksums: all answers agree\n",
+        n => {
+            let _ = writeln!(text, "checksums: {n} answers DIFFER");
+            mesh.mismatches.iter().for_each(|mismatch| text += &format!("  {mismatch}\n"));
+        }
+    }
+    text
+}
+
+/// A table whose first `left` columns are words, the others numbers.
+fn table(header: &[&str], left: usize) -> Table {
+    let mut table = Table::new();
+    table.load_style(RULES).set_header(header.to_vec());
+    for column in table.column_iter_mut().skip(left) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    table
+}
+
+fn scaled(timing: Option<Timing>, unit: f64) -> String {
+    timing.map_or("-".into(), |timing| digits(timing.median_ns / unit))
+}
+
+/// Three digits that count.
+fn digits(value: f64) -> String {
+    let places = match value {
+        v if v >= 99.95 => 0,
+        v if v >= 9.995 => 1,
+        v if v >= 0.9995 => 2,
+        v if v >= 0.09995 => 3,
+        _ => 4,
+    };
+    format!("{value:.places$}")
+}
+
+/// Lines of at most 110 characters.
+fn wrapped(text: &str) -> String {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let last = lines.len() - 1;
+        if !lines[last].is_empty() && lines[last].len() + 1 + word.len() > 110 {
+            lines.push(format!("  {word}"));
+        } else {
+            let space = if lines[last].is_empty() { "" } else { " " };
+            lines[last] += &format!("{space}{word}");
+        }
+    }
+    lines.join("\n")
+}

@@ -1,0 +1,198 @@
+//! Measures one mesh, backend after backend, and compares their answers.
+
+use super::case::{Case, Ready};
+use super::measure::{Measured, Plan};
+use super::record::{Backend, Memory, Mesh, Named, Ring, Sweep};
+use super::subject::{BASELINE, SUBJECTS, Subject};
+use super::timing::Clock;
+use crate::args;
+use onering::registry::BACKENDS;
+use onering::{BuildError, Pairing};
+use std::time::Duration;
+
+/// The rows of one mesh so far.
+pub(crate) struct Rows<'a> {
+    case: &'a Case,
+    clock: Clock,
+    is_small: bool,
+    rows: Vec<Backend>,
+    /// The first answer to each question in each state of the mesh, and who gave it.
+    first: Vec<(&'static str, &'static str, &'static str, u64)>,
+    mismatches: Vec<String>,
+}
+
+const AS_IT_IS: &str = "as it is";
+const REPAIRED: &str = "repaired";
+const NOT_BUILT: &str = "not built";
+
+impl<'a> Rows<'a> {
+    pub(crate) fn new(case: &'a Case, options: &args::Compare) -> Self {
+        let states = [(AS_IT_IS, Some(&case.as_it_is)), (REPAIRED, case.repaired.as_ref().map(|(r, _)| r))];
+        let answers = |(state, ready): (&'static str, Option<&'a Ready>)| {
+            let answers = ready.into_iter().flat_map(|ready| &ready.answers);
+            answers.map(move |&(name, answer)| (state, name, "the list of faces", answer))
+        };
+        Self {
+            case,
+            clock: Clock { budget: Duration::from_millis(options.budget) },
+            is_small: case.as_it_is.soup.faces.len() <= options.quadratic_up_to,
+            rows: Vec::new(),
+            first: states.into_iter().flat_map(answers).collect(),
+            mismatches: Vec::new(),
+        }
+    }
+
+    /// Measures a backend by its place in the registry: on the mesh as it is, else on the repaired one.
+    pub(crate) fn measure(&mut self, place: usize) {
+        let (subject, entry) = (&SUBJECTS[place], &BACKENDS[place]);
+        let case = self.case;
+        let (state, refusal, outcome) = match self.ask(subject, &case.as_it_is) {
+            Ok(measured) => (AS_IT_IS, None, Some((measured, &case.as_it_is))),
+            Err(refusal) => match &case.repaired {
+                None => (NOT_BUILT, Some(refusal), None),
+                Some((ready, _)) => match self.ask(subject, ready) {
+                    Ok(measured) => (REPAIRED, Some(refusal), Some((measured, ready))),
+                    Err(refusal) => (NOT_BUILT, Some(refusal), None),
+                },
+            },
+        };
+        let mut row = empty_row(entry.name, state);
+        (row.traits, row.holds) = (entry.traits, entry.holds);
+        row.refusal = refusal.map(|refusal| refusal.to_string());
+        if let Some((measured, ready)) = outcome {
+            self.compare(subject.name, state, &measured);
+            row.memory = Some(self.memory(place, state, &measured, ready));
+            fill(&mut row, &measured, ready);
+        } else if case.as_it_is.soup.is_clean || case.repaired.is_some() {
+            self.mismatches.push(format!("{} refuses a mesh that every backend should hold", subject.name));
+        }
+        self.rows.push(row);
+    }
+
+    /// The search over all faces, where that does not take too long.
+    pub(crate) fn measure_baseline(&mut self) {
+        if !self.is_small {
+            return;
+        }
+        let ready = &self.case.as_it_is;
+        if let Ok(measured) = self.ask(&BASELINE, ready) {
+            self.compare(BASELINE.name, AS_IT_IS, &measured);
+            let mut row = empty_row(BASELINE.name, AS_IT_IS);
+            fill(&mut row, &measured, ready);
+            row.build.0.clear();
+            self.rows.push(row);
+        }
+    }
+
+    fn ask(&self, subject: &Subject, ready: &Ready) -> Result<Measured, BuildError> {
+        let Ready { soup, sample, .. } = ready;
+        (subject.measure)(&Plan { soup, sample, clock: self.clock, with_quadratic: self.is_small })
+    }
+
+    fn compare(&mut self, who: &'static str, state: &'static str, measured: &Measured) {
+        for &(name, answer) in &measured.answers {
+            match self.first.iter().find(|&&(s, n, ..)| (s, n) == (state, name)) {
+                None => self.first.push((state, name, who, answer)),
+                Some(&(_, _, other, first)) if first != answer => {
+                    self.mismatches.push(format!("{who} and {other} differ in `{name}` on the mesh {state}"));
+                }
+                Some(_) => {}
+            }
+        }
+    }
+
+    fn memory(&mut self, place: usize, state: &str, measured: &Measured, ready: &Ready) -> Memory {
+        let entry = &BACKENDS[place];
+        let formula = entry.bytes.of(&ready.counts);
+        if let Some(told) = measured.told.filter(|&told| told != formula) {
+            let name = entry.name;
+            self.mismatches.push(format!("{name} tells of {told} bytes, not {formula}, on the mesh {state}"));
+        }
+        let each = |bytes: usize| bytes as f64 / ready.soup.faces.len() as f64;
+        Memory {
+            formula: entry.bytes.to_string(),
+            formula_bytes: formula,
+            counted_bytes: measured.counted,
+            peak_bytes: measured.peak,
+            formula_bytes_per_triangle: each(formula),
+            counted_bytes_per_triangle: each(measured.counted),
+            peak_bytes_per_triangle: each(measured.peak),
+        }
+    }
+
+    pub(crate) fn into_mesh(self) -> Mesh {
+        let Self { case, rows, mismatches, .. } = self;
+        let Ready { soup, sample, counts, .. } = &case.as_it_is;
+        Mesh {
+            name: case.name.clone(),
+            vertices: soup.vertex_count,
+            triangles: soup.faces.len(),
+            edges: counts.edges,
+            defects: case.defects.clone(),
+            repair: case.repaired.as_ref().map(|(_, repair)| repair.clone()),
+            random_vertices: sample.starts.clone(),
+            backends: rows,
+            mismatches,
+        }
+    }
+}
+
+/// A mesh that there is nothing to measure on.
+pub(crate) fn without_faces(name: String, vertices: usize) -> Mesh {
+    Mesh {
+        name,
+        vertices,
+        triangles: 0,
+        edges: 0,
+        defects: "nothing to measure on".into(),
+        repair: None,
+        random_vertices: Vec::new(),
+        backends: Vec::new(),
+        mismatches: Vec::new(),
+    }
+}
+
+/// A row with a place for every strategy, also those that are not timed.
+fn empty_row(name: &'static str, mesh: &'static str) -> Backend {
+    let strategies = std::iter::once(Pairing::Auto).chain(Pairing::ALL);
+    Backend {
+        name,
+        traits: &[],
+        holds: &[],
+        mesh,
+        refusal: None,
+        memory: None,
+        build: Named(strategies.map(|pairing| (pairing.to_string(), None)).collect()),
+        rings: Vec::new(),
+        sweep: None,
+        random_vertex_queries: None,
+        random_face_queries: None,
+        checksums: Named(Vec::new()),
+    }
+}
+
+fn fill(row: &mut Backend, measured: &Measured, ready: &Ready) {
+    for &(pairing, timing) in &measured.build {
+        let name = pairing.to_string();
+        if let Some((_, place)) = row.build.0.iter_mut().find(|(known, _)| *known == name) {
+            *place = Some(timing);
+        }
+    }
+    if let Some(rings) = &measured.rings {
+        let starts = rings.counts.len() as f64;
+        let levels = rings.timings.iter().zip(rings.means()).enumerate();
+        row.rings = levels
+            .map(|(k, (timing, vertices))| {
+                let timing = timing.scaled(1.0 / starts);
+                Ring { level: k + 1, vertices, timing }
+            })
+            .collect();
+    }
+    row.sweep = measured
+        .sweep
+        .map(|timing| Sweep { ns_per_vertex: timing.median_ns / ready.soup.vertex_count as f64, timing });
+    row.random_vertex_queries = measured.vertex_queries;
+    row.random_face_queries = measured.face_queries;
+    let sums = measured.answers.iter().map(|&(name, sum)| (name.to_owned(), format!("{sum:016x}")));
+    row.checksums = Named(sums.collect());
+}

@@ -1,0 +1,83 @@
+//! Which vertices and faces are asked for: random, and the same at every run.
+
+use onering::Pairing;
+
+/// A list of triangles to build from.
+#[derive(Clone, Debug)]
+pub(crate) struct Soup {
+    pub(crate) vertex_count: usize,
+    pub(crate) faces: Vec<[u32; 3]>,
+    /// Whether every backend holds it.
+    pub(crate) is_clean: bool,
+}
+
+/// Random elements of a soup.
+#[derive(Clone, Debug)]
+pub(crate) struct Sample {
+    /// Where rings start (Biscaro et al. 2016, 5.1.2, take 30 vertices).
+    pub(crate) starts: Vec<u32>,
+    /// Vertices whose one-ring is asked for.
+    pub(crate) vertices: Vec<u32>,
+    /// Faces whose neighbours across all three edges are asked for.
+    pub(crate) faces: Vec<u32>,
+}
+
+/// Number of vertices that rings start from.
+pub(crate) const STARTS: usize = 30;
+/// Number of random queries of each kind.
+pub(crate) const QUERIES: usize = 10_000;
+
+impl Sample {
+    /// A random choice, with repetition, of faces and of their corners: so no vertex is isolated, and one of high
+    /// degree is as likely to be asked for as it is to be met. `soup` has faces.
+    pub(crate) fn of(soup: &Soup, seed: u64) -> Self {
+        let mut random = Random(seed);
+        let corners = soup.faces.as_flattened();
+        let mut vertices = |count| (0..count).map(|_| corners[random.below(corners.len())]).collect();
+        let (starts, vertices) = (vertices(STARTS), vertices(QUERIES));
+        let faces = (0..QUERIES).map(|_| random.below(soup.faces.len()) as u32).collect();
+        Self { starts, vertices, faces }
+    }
+}
+
+/// SplitMix64 (Steele et al. 2014).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        scramble(self.0)
+    }
+
+    /// Below `bound`, by the high part of a product: no bias that could matter here.
+    fn below(&mut self, bound: usize) -> usize {
+        ((u128::from(self.next()) * bound as u128) >> 64) as usize
+    }
+}
+
+/// Every bit of the result depends on every bit of `x`.
+pub(crate) fn scramble(mut x: u64) -> u64 {
+    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ (x >> 31)
+}
+
+/// The strategies to time, with their names: the quadratic one only if asked.
+pub(crate) fn strategies(with_quadratic: bool) -> impl Iterator<Item = Pairing> {
+    Pairing::ALL.into_iter().filter(move |&pairing| with_quadratic || pairing != Pairing::Quadratic)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sample_is_the_same_each_time_and_within_bounds() {
+        let soup = Soup { vertex_count: 9, faces: vec![[1, 2, 3], [3, 2, 7]], is_clean: true };
+        let [one, two] = [1, 1].map(|seed| Sample::of(&soup, seed));
+        assert_eq!((&one.starts, &one.faces), (&two.starts, &two.faces));
+        assert!(one.vertices.iter().all(|v| [1, 2, 3, 7].contains(v)) && one.vertices.len() == QUERIES);
+        assert!(one.faces.contains(&0) && one.faces.contains(&1) && one.faces.iter().all(|&f| f < 2));
+        assert_ne!(one.vertices, Sample::of(&soup, 2).vertices);
+    }
+}

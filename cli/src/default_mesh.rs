@@ -1,0 +1,82 @@
+//! Meshes to compare on where no file is named: one closed, one with boundary, so that every part of every
+//! structure has something to do. Only their faces: no comparison looks at positions.
+
+use std::collections::HashMap;
+
+/// A mesh without positions.
+#[derive(Clone, Debug)]
+pub(crate) struct Made {
+    pub(crate) name: &'static str,
+    pub(crate) vertex_count: usize,
+    pub(crate) faces: Vec<[u32; 3]>,
+}
+
+/// 81,920 and 82,080 triangles: more than the caches next to a core hold of most structures, and quick to build.
+pub(crate) fn all() -> [Made; 2] {
+    [sphere(6), terrain(204, 8)]
+}
+
+#[rustfmt::skip]
+const ICOSAHEDRON: [[u32; 3]; 20] = [
+    [0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11],
+    [1, 5, 9], [5, 11, 4], [11, 10, 2], [10, 7, 6], [7, 1, 8],
+    [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9],
+    [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1],
+];
+
+/// An icosahedron with each triangle cut into four, `levels` times.
+fn sphere(levels: usize) -> Made {
+    let (mut vertex_count, mut faces) = (12, ICOSAHEDRON.to_vec());
+    for _ in 0..levels {
+        let mut middles: HashMap<[u32; 2], u32> = HashMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
+                vertex_count += 1;
+                vertex_count - 1
+            })
+        };
+        let cut = |[a, b, c]: [u32; 3]| {
+            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+            [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+        };
+        faces = faces.into_iter().flat_map(cut).collect();
+    }
+    Made { name: "sphere (made here)", vertex_count: vertex_count as usize, faces }
+}
+
+/// A square of `side` x `side` cells of two triangles, without nine square holes of `hole` x `hole` cells.
+fn terrain(side: usize, hole: usize) -> Made {
+    let in_hole = |x: usize| [1, 2, 3].iter().any(|k| (k * side / 4..k * side / 4 + hole).contains(&x));
+    let (mut numbers, mut faces) = (HashMap::new(), Vec::new());
+    let mut number = |x: usize, y: usize| {
+        let next = numbers.len() as u32;
+        *numbers.entry((x, y)).or_insert(next)
+    };
+    for y in 0..side {
+        for x in (0..side).filter(|&x| !(in_hole(x) && in_hole(y))) {
+            let [a, b, c, d] = [number(x, y), number(x + 1, y), number(x + 1, y + 1), number(x, y + 1)];
+            faces.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    Made { name: "terrain with nine holes (made here)", vertex_count: numbers.len(), faces }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use onering::defects::Defects;
+
+    #[test]
+    fn one_is_closed_and_one_has_ten_boundaries() {
+        let [sphere, terrain] = all();
+        let figures = |made: &Made| Defects::of(made.vertex_count, &made.faces);
+        assert_eq!((sphere.vertex_count, sphere.faces.len()), (40_962, 81_920));
+        assert_eq!(terrain.faces.len(), 2 * (204 * 204 - 9 * 64));
+        let (sphere, terrain) = (figures(&sphere), figures(&terrain));
+        assert!(
+            sphere.is_clean() && sphere.closed && sphere.genus == Some(0) && sphere.isolated_vertices == 0
+        );
+        assert!(terrain.is_clean() && terrain.genus == Some(0) && terrain.boundary_loops == Some(10));
+        assert_eq!((terrain.components, terrain.isolated_vertices), (1, 0));
+    }
+}

@@ -1,0 +1,205 @@
+//! The figures of one file, under the names that the reports use.
+
+use super::{digest, geometry, gltf};
+use onering::defects::{Defects, Figure};
+use onering::repair::weld;
+use onering_io::{Error, Format, Skipped, Triangles};
+use serde::ser::{Error as _, Serialize, SerializeMap, Serializer};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Everything that is said of a file; `null` where a figure has no meaning.
+#[derive(Debug, serde::Serialize)]
+pub(crate) struct Inspection {
+    pub(crate) file: String,
+    pub(crate) format: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) primitives: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) gltf_buffers: Option<Vec<&'static str>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) skipped_faces: Option<usize>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) ignored_elements: BTreeMap<String, usize>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) skipped_primitives: BTreeMap<String, usize>,
+    /// What the reader left out, in words.
+    pub(crate) notes: Vec<String>,
+    pub(crate) bytes: usize,
+    pub(crate) sha256: String,
+    pub(crate) vertices: usize,
+    pub(crate) polygons: usize,
+    pub(crate) polygon_sizes: BTreeMap<usize, usize>,
+    pub(crate) triangles: usize,
+    pub(crate) finite_coordinates: bool,
+    pub(crate) bbox_min: Option<[f32; 3]>,
+    pub(crate) bbox_max: Option<[f32; 3]>,
+    pub(crate) area: Option<f64>,
+    pub(crate) signed_volume: Option<f64>,
+    /// How many vertices have so many edges.
+    pub(crate) degree_histogram: BTreeMap<usize, usize>,
+    pub(crate) verdict: String,
+    pub(crate) topology: Topology,
+    pub(crate) welded: Welded,
+    pub(crate) tri_sha256: String,
+    pub(crate) tri_canonical_sha256: String,
+}
+
+/// The figures of a face list.
+#[derive(Debug)]
+pub(crate) struct Topology {
+    /// Only where it is not said elsewhere.
+    pub(crate) vertices: Option<usize>,
+    pub(crate) figures: Vec<(&'static str, Figure)>,
+}
+
+/// The figures once vertices at equal positions are one.
+#[derive(Debug, serde::Serialize)]
+#[serde(untagged)]
+pub(crate) enum Welded {
+    Same(&'static str),
+    Other(Topology),
+}
+
+impl Inspection {
+    pub(crate) fn of(path: &Path) -> Result<Self, Error> {
+        let mesh = onering_io::load(path)?;
+        // Read again for what the reader does not tell; on the way from a cache, not from a disk.
+        let bytes = std::fs::read(path).map_err(|source| Error::Io { path: path.to_owned(), source })?;
+        let mut inspection = Self::of_mesh(&mesh);
+        inspection.file = super::name_of(path);
+        inspection.bytes = bytes.len();
+        inspection.sha256 = digest::of_bytes(&bytes);
+        if let Some(format) = Format::of(path, &bytes) {
+            inspection.format = format.to_string();
+            inspection.add_document(format, &bytes);
+        }
+        Ok(inspection)
+    }
+
+    fn of_mesh(mesh: &Triangles) -> Self {
+        let Triangles { positions, faces, .. } = mesh;
+        let geometry = geometry::Geometry::of(positions, faces);
+        let defects = Defects::of(positions.len(), faces);
+        let mut inspection = Self {
+            file: String::new(),
+            format: String::new(),
+            primitives: None,
+            gltf_buffers: None,
+            skipped_faces: None,
+            ignored_elements: BTreeMap::new(),
+            skipped_primitives: BTreeMap::new(),
+            notes: mesh.notes.iter().map(ToString::to_string).collect(),
+            bytes: 0,
+            sha256: String::new(),
+            vertices: positions.len(),
+            polygons: mesh.polygon_count(),
+            polygon_sizes: mesh.polygon_sizes.clone(),
+            triangles: faces.len(),
+            finite_coordinates: geometry::are_finite(positions),
+            bbox_min: geometry.map(|g| g.bbox_min),
+            bbox_max: geometry.map(|g| g.bbox_max),
+            area: geometry.map(|g| g.area),
+            signed_volume: geometry.map(|g| g.signed_volume),
+            degree_histogram: degrees(positions.len(), faces),
+            verdict: defects.to_string(),
+            topology: Topology::of(&defects, None),
+            welded: Welded::of(mesh),
+            tri_sha256: digest::of_faces(faces),
+            tri_canonical_sha256: digest::of_canonical(faces),
+        };
+        inspection.add_notes(mesh);
+        inspection
+    }
+
+    fn add_notes(&mut self, mesh: &Triangles) {
+        for note in &mesh.notes {
+            let (list, key) = match &note.what {
+                Skipped::ShortFaces => {
+                    self.skipped_faces = Some(note.count);
+                    continue;
+                }
+                Skipped::Elements(keyword) => (&mut self.ignored_elements, keyword.to_string()),
+                Skipped::PrimitiveMode(mode) => (&mut self.skipped_primitives, mode.to_string()),
+                Skipped::UnknownModes => (&mut self.skipped_primitives, "unknown mode".into()),
+                Skipped::NoPositions => (&mut self.skipped_primitives, "no POSITION".into()),
+                _ => continue,
+            };
+            *list.entry(key).or_default() += note.count;
+        }
+    }
+
+    fn add_document(&mut self, format: Format, bytes: &[u8]) {
+        if matches!(format, Format::Gltf | Format::Glb) {
+            let document = gltf::Document::of(bytes);
+            self.primitives = Some(document.primitives);
+            self.gltf_buffers = Some(document.buffers.into_iter().collect());
+        }
+    }
+}
+
+impl Topology {
+    fn of(defects: &Defects, vertices: Option<usize>) -> Self {
+        // No reader gives a face that names no vertex.
+        let figures = defects.figures().filter(|&(name, _)| name != "out_of_range_faces").collect();
+        Self { vertices, figures }
+    }
+}
+
+impl Welded {
+    fn of(mesh: &Triangles) -> Self {
+        let welded = weld(&mesh.positions);
+        let vertices = welded.source.len();
+        if vertices == mesh.positions.len() {
+            return Self::Same("same as topology (no two vertices share a position)");
+        }
+        let faces: Vec<_> = mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();
+        Self::Other(Topology::of(&Defects::of(vertices, &faces), Some(vertices)))
+    }
+}
+
+/// How many vertices have so many edges, of faces that name three vertices. Isolated vertices have none.
+fn degrees(vertex_count: usize, faces: &[[u32; 3]]) -> BTreeMap<usize, usize> {
+    let is_proper = |&&[a, b, c]: &&[u32; 3]| a != b && b != c && c != a;
+    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
+    let mut edges: Vec<[u32; 2]> = faces.iter().filter(is_proper).flat_map(sides).collect();
+    edges.sort_unstable();
+    edges.dedup();
+    let mut degrees = vec![0; vertex_count];
+    edges.as_flattened().iter().for_each(|&v| degrees[v as usize] += 1);
+    let mut histogram = BTreeMap::new();
+    degrees.iter().for_each(|&degree| *histogram.entry(degree).or_default() += 1);
+    histogram
+}
+
+/// A map in the order of the figures.
+impl Serialize for Topology {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        if let Some(vertices) = self.vertices {
+            map.serialize_entry("vertices", &vertices)?;
+        }
+        for (name, figure) in &self.figures {
+            match *figure {
+                Figure::Count(count) => {
+                    map.serialize_entry(name, &i64::try_from(count).map_err(S::Error::custom)?)?;
+                }
+                Figure::Flag(flag) => map.serialize_entry(name, &flag)?,
+                Figure::Undefined => map.serialize_entry(name, &())?,
+            }
+        }
+        map.end()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn degrees_count_edges_once_and_isolated_vertices() {
+        // Two triangles on an edge, one of them twice, a degenerate one, and a vertex in none.
+        let found = degrees(5, &[[0, 1, 2], [2, 1, 3], [3, 1, 2], [0, 0, 3]]);
+        assert_eq!(found, BTreeMap::from([(0, 1), (2, 2), (3, 2)]));
+    }
+}

@@ -1,0 +1,84 @@
+//! Runs the binary, and finds the real files.
+#![allow(dead_code)]
+
+use serde_json::Value;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// What a run of `onering` gave.
+#[derive(Debug)]
+pub(crate) struct Run {
+    pub(crate) code: Option<i32>,
+    pub(crate) out: String,
+    pub(crate) err: String,
+}
+
+pub(crate) fn onering<S: AsRef<OsStr>>(args: impl IntoIterator<Item = S>) -> Run {
+    of(&command().args(args).output().unwrap())
+}
+
+pub(crate) fn command() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_onering"))
+}
+
+pub(crate) fn of(output: &Output) -> Run {
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    let run = Run { code: output.status.code(), out: text(&output.stdout), err: text(&output.stderr) };
+    assert!(!run.err.contains("panicked"), "{run:?}");
+    run
+}
+
+impl Run {
+    /// The JSON objects on standard output, one a line.
+    pub(crate) fn json_lines(&self) -> Vec<Value> {
+        self.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+    }
+}
+
+/// A file for one test to write: its own folder in the folder for such things.
+pub(crate) fn scratch(test: &str, name: &str, content: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join(name);
+    std::fs::write(&path, content).unwrap();
+    path
+}
+
+/// Two triangles on an edge.
+pub(crate) const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+
+/// The folder of real meshes: `ONERING_MESHES`, or `shared/meshes` beside the workspace.
+fn meshes_folder() -> PathBuf {
+    match std::env::var_os("ONERING_MESHES") {
+        Some(folder) => folder.into(),
+        None => concat!(env!("CARGO_MANIFEST_DIR"), "/../../shared/meshes").into(),
+    }
+}
+
+/// The folder of real meshes and the entries of its manifest.
+pub(crate) fn meshes() -> Option<(PathBuf, Vec<Value>)> {
+    with_manifest(meshes_folder())
+}
+
+/// The folder of broken files, beside the real ones, and the entries of its manifest.
+pub(crate) fn malformed() -> Option<(PathBuf, Vec<Value>)> {
+    with_manifest(meshes_folder().with_file_name("malformed"))
+}
+
+/// Without the folder a test is skipped, unless `ONERING_REQUIRE_MESHES=1`.
+fn with_manifest(folder: PathBuf) -> Option<(PathBuf, Vec<Value>)> {
+    let path = folder.join("MANIFEST.json");
+    match std::fs::read(&path) {
+        Ok(bytes) => {
+            let manifest: Value = serde_json::from_slice(&bytes).unwrap();
+            Some((folder, manifest["files"].as_array().unwrap().clone()))
+        }
+        Err(error) => {
+            let required = std::env::var("ONERING_REQUIRE_MESHES").is_ok_and(|value| value == "1");
+            assert!(!required, "{}: {error}", path.display());
+            eprintln!("skipped: no {}; set ONERING_MESHES to the folder of meshes", path.display());
+            None
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! `onering compare`: what it measures, not how long that takes.
+
+mod common;
+
+use common::{SQUARE, onering, scratch};
+use serde_json::Value;
+use std::ffi::OsString;
+use std::path::Path;
+
+/// Runs with as little repetition as may be, and gives the JSON.
+fn compare(test: &str, files: &[&Path], more: &[&str]) -> (common::Run, Value) {
+    let json = scratch(test, "result.json", "not yet");
+    let mut args: Vec<OsString> = ["compare", "--budget", "0", "--json"].map(OsString::from).into();
+    args.push(json.clone().into());
+    args.extend(files.iter().map(|file| file.as_os_str().to_owned()));
+    args.extend(more.iter().map(OsString::from));
+    let run = onering(args);
+    let text = std::fs::read_to_string(&json).unwrap();
+    let result = serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {run:?}"));
+    (run, result)
+}
+
+fn backends(result: &Value, mesh: usize) -> &Vec<Value> {
+    result["meshes"][mesh]["backends"].as_array().unwrap()
+}
+
+fn backend<'a>(result: &'a Value, mesh: usize, name: &str) -> &'a Value {
+    let mut all = backends(result, mesh).iter();
+    all.find(|backend| backend["name"] == name).unwrap_or_else(|| panic!("no {name}"))
+}
+
+/// An octahedron: V = 6, E = 12, T = 8.
+const OCTAHEDRON: &str = "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n\
+    f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
+
+#[test]
+fn every_backend_on_a_small_mesh() {
+    let file = scratch("small", "octahedron.obj", OCTAHEDRON);
+    let (run, result) = compare("small", &[&file], &[]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    assert_eq!(result["version"], env!("CARGO_PKG_VERSION"));
+    assert!(result["machine"]["cores"].as_u64().unwrap() >= 1 && result["machine"]["cpu"].is_string());
+    let mesh = &result["meshes"][0];
+    assert_eq!(
+        [&mesh["vertices"], &mesh["edges"], &mesh["triangles"]].map(Value::as_u64),
+        [6, 12, 8].map(Some)
+    );
+    assert_eq!((mesh["random_vertices"].as_array().unwrap().len(), &mesh["repair"]), (30, &Value::Null));
+    let names: Vec<&str> = backends(&result, 0).iter().map(|row| row["name"].as_str().unwrap()).collect();
+    let registered = onering::registry::BACKENDS.iter().map(|backend| backend.name);
+    assert_eq!(names, registered.chain(["no data structure"]).collect::<Vec<_>>());
+    names.iter().for_each(|name| assert!(run.out.contains(name), "{name}"));
+    for row in backends(&result, 0) {
+        check_row(row);
+    }
+    // 24 T + 4 V + 4 E
+    let memory = &backend(&result, 0, "che-l2")["memory"];
+    assert_eq!(memory["formula_bytes"].as_u64(), Some(24 * 8 + 4 * 6 + 4 * 12));
+    assert_eq!(memory["counted_bytes"], memory["formula_bytes"]);
+    assert!(memory["peak_bytes"].as_u64() >= memory["counted_bytes"].as_u64());
+}
+
+/// A backend has the figures that its traits can give, and `null` for the others.
+fn check_row(row: &Value) {
+    let (name, traits) = (row["name"].as_str().unwrap(), row["traits"].as_array().unwrap());
+    let has =
+        |known: &str| traits.iter().any(|t| t == known) || name == "no data structure" && known != "graph";
+    let (pairs, walks) = (has("adjacency"), has("incidence") || has("graph"));
+    assert_eq!(row["mesh"], "as it is", "{name}");
+    if name != "no data structure" {
+        assert!(row["build"]["auto"]["median_ns"].as_f64().unwrap() > 0.0, "{name}");
+        for strategy in ["quadratic", "paper-hash", "hash", "counting-sort", "chain"] {
+            assert_eq!(row["build"][strategy].is_object(), pairs, "{name} {strategy}");
+        }
+    }
+    assert_eq!(row["random_face_queries"].is_object(), pairs, "{name}");
+    assert_eq!(row["random_vertex_queries"].is_object(), walks, "{name}");
+    assert_eq!(row["sweep"]["ns_per_vertex"].is_number(), walks, "{name}");
+    let rings: Vec<f64> =
+        row["rings"].as_array().unwrap().iter().filter_map(|r| r["vertices"].as_f64()).collect();
+    // Four neighbours, and beyond them the vertex on the other side.
+    assert_eq!(rings, if walks { vec![4.0, 5.0, 5.0, 5.0] } else { vec![] }, "{name}");
+}
+
+#[test]
+fn defects_are_held_or_repaired_and_the_report_says_so() {
+    // Three faces on an edge.
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
+    let file = scratch("defective", "fan.obj", text);
+    let (run, result) = compare("defective", &[&file], &[]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    let mesh = &result["meshes"][0];
+    assert_eq!((&mesh["defects"], &mesh["repair"]["triangles"]), (&"1 non-manifold edge".into(), &3.into()));
+    for entry in onering::registry::BACKENDS {
+        let row = backend(&result, 0, entry.name);
+        let holds = entry.holds.contains(&"non_manifold_edge");
+        assert_eq!(row["mesh"], if holds { "as it is" } else { "repaired" }, "{}", entry.name);
+        assert_eq!(row["refusal"].is_string(), !holds, "{}", entry.name);
+    }
+    for words in
+        ["repaired for backends that cannot hold this: 1 edge cut", "che-l2 repaired: 3 faces lie along"]
+    {
+        assert!(run.out.contains(words), "{words}: {}", run.out);
+    }
+}
+
+#[test]
+fn chosen_backends_and_several_files_of_which_one_is_bad() {
+    let file = scratch("chosen", "square.obj", SQUARE);
+    let missing = file.with_file_name("missing.obj");
+    let (run, result) =
+        compare("chosen", &[&file, &missing], &["--backend", "che-l3", "--backend", "mate-face"]);
+    assert_eq!((run.code, run.err.lines().count()), (Some(1), 1), "{run:?}");
+    let names: Vec<&str> = backends(&result, 0).iter().map(|row| row["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["che-l3", "mate-face"]);
+    assert_eq!(result["unread"][0]["file"], missing.display().to_string());
+    assert_eq!(result["meshes"].as_array().unwrap().len(), 1);
+}
+
+#[test]
+fn what_is_quadratic_is_left_out_above_a_size_that_is_announced() {
+    let file = scratch("limit", "square.obj", SQUARE);
+    let (run, result) = compare("limit", &[&file], &["--quadratic-up-to", "1"]);
+    assert_eq!(run.code, Some(0));
+    assert!(backend(&result, 0, "che-l1")["build"]["quadratic"].is_null());
+    assert!(backends(&result, 0).iter().all(|row| row["name"] != "no data structure"));
+    assert!(run.out.contains("left out above 1 triangles"), "{}", run.out);
+}
+
+#[test]
+fn the_same_seed_asks_the_same_vertices() {
+    let file = scratch("seed", "octahedron.obj", OCTAHEDRON);
+    let vertices = |seed: &str| {
+        let (_, result) = compare("seed", &[&file], &["--backend", "che-l2", "--seed", seed]);
+        result["meshes"][0]["random_vertices"].clone()
+    };
+    assert_eq!(vertices("7"), vertices("7"));
+    assert_ne!(vertices("7"), vertices("8"));
+}
+
+#[test]
+fn no_faces_or_none_that_hold_are_no_error() {
+    let empty = scratch("few", "empty.obj", "v 0 0 0\n");
+    let degenerate = scratch("few", "degenerate.obj", "v 0 0 0\nv 1 0 0\nf 1 1 2\n");
+    let (run, result) = compare("few", &[&empty, &degenerate], &[]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    assert!(backends(&result, 0).is_empty());
+    assert_eq!(backend(&result, 1, "che-l2")["mesh"], "not built");
+    assert_eq!(backend(&result, 1, "shared-vertex")["mesh"], "as it is");
+}
+
+#[test]
+fn without_a_file_two_meshes_are_made() {
+    let (run, result) = compare("made", &[], &["--backend", "che-l2"]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    let meshes = result["meshes"].as_array().unwrap();
+    assert_eq!(meshes.len(), 2);
+    assert!(meshes.iter().all(|mesh| mesh["triangles"].as_u64().unwrap() >= 80_000));
+}
+
+#[test]
+fn json_that_cannot_be_written_is_said_before_the_work() {
+    let file = scratch("unwritable", "square.obj", SQUARE);
+    let folder = file.parent().unwrap();
+    for json in [folder.to_owned(), folder.join("none/result.json")] {
+        let run = onering(["compare".as_ref(), file.as_os_str(), "--json".as_ref(), json.as_os_str()]);
+        assert_eq!((run.code, run.err.lines().count(), run.out.as_str()), (Some(2), 1, ""), "{run:?}");
+    }
+    let left = std::fs::read_dir(folder).unwrap().count();
+    assert_eq!(left, 1, "something was left behind");
+}

@@ -1,0 +1,65 @@
+//! Umbrellas: the corners around a vertex that hang together by edges.
+//!
+//! Where orientation is consistent and no edge has three faces, umbrellas are the fans of
+//! [`Incidence::fans`](crate::Incidence::fans). Unlike those, an umbrella goes on across two faces that
+//! disagree in orientation and across edges of three or more faces, so it says whether a surface is manifold
+//! whatever its orientation.
+use crate::{Adjacency, Map, Topology, disjoint_sets::DisjointSets, edges};
+
+/// For each half-edge, the least half-edge of the umbrella that it belongs to: those from the same vertex whose
+/// faces are reached from its own by edges at that vertex. Where handles have gaps, a gap is on its own.
+/// Nearly linear (union-find); 5 bytes for each half-edge.
+///
+/// ```
+/// # use onering::CheL1 as Mesh;
+/// use onering_core::{FromFaces, Topology, umbrella};
+/// let bowtie = Mesh::from_faces(5, &[[0, 1, 2], [0, 3, 4]])?;
+/// let umbrella = umbrella::umbrellas(&bowtie);
+/// assert_eq!(bowtie.half_edges().filter(|&h| umbrella[h] == h).count(), 6); // five vertices, two of them at v0
+/// # Ok::<(), onering_core::BuildError>(())
+/// ```
+pub fn umbrellas<M: Adjacency + ?Sized>(mesh: &M) -> Map<M::HalfEdge, M::HalfEdge> {
+    let mut sets = DisjointSets::new(mesh.half_edge_bound());
+    for h in edges::each(mesh) {
+        for g in mesh.edge_fan(h).skip(1) {
+            let (h_end, g_end) = (mesh.next(h), mesh.next(g));
+            let same_direction = mesh.origin(h) == mesh.origin(g);
+            let (at_origin, at_target) = if same_direction { (g, g_end) } else { (g_end, g) };
+            sets.join(h, at_origin);
+            sets.join(h_end, at_target);
+        }
+    }
+    Map::from_fn(mesh.half_edge_bound(), |h| sets.least(h))
+}
+
+/// Whether the mesh is a surface, with boundary or without: no edge has three or more faces, and the faces of
+/// each vertex form one umbrella. Orientation is not asked for: a Moebius strip is manifold. A mesh without
+/// faces is. Nearly linear; 5 bytes for each half-edge.
+///
+/// ```
+/// # use onering::CheL1 as Mesh;
+/// use onering_core::{FromFaces, umbrella};
+/// assert!(umbrella::is_manifold(&Mesh::from_faces(4, &[[0, 1, 2], [2, 1, 3]])?));
+/// assert!(!umbrella::is_manifold(&Mesh::from_faces(5, &[[0, 1, 2], [0, 3, 4]])?));
+/// # Ok::<(), onering_core::BuildError>(())
+/// ```
+pub fn is_manifold<M: Adjacency + ?Sized>(mesh: &M) -> bool {
+    mesh.half_edges().all(|h| mesh.edge_fan(h).nth(2).is_none()) && {
+        let umbrella = umbrellas(mesh);
+        mesh.half_edges().filter(|&h| umbrella[h] == h).count() == used_vertex_count(mesh)
+    }
+}
+
+/// Number of vertices that are in a face. O(half-edges), one byte of scratch for each vertex.
+///
+/// ```
+/// # use onering::CheL0 as Mesh;
+/// use onering_core::{FromFaces, umbrella};
+/// assert_eq!(umbrella::used_vertex_count(&Mesh::from_faces(9, &[[0, 1, 2], [0, 3, 4]])?), 5);
+/// # Ok::<(), onering_core::BuildError>(())
+/// ```
+pub fn used_vertex_count<M: Topology + ?Sized>(mesh: &M) -> usize {
+    let mut used: Map<M::Vertex, bool> = Map::filled(mesh.vertex_count(), false);
+    mesh.half_edges().for_each(|h| used[mesh.origin(h)] = true);
+    used.as_slice().iter().filter(|&&used| used).count()
+}
