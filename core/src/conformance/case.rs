@@ -50,7 +50,7 @@ pub struct Case {
     pub vertices: usize,
     /// Three vertices each.
     pub faces: Vec<[u32; 3]>,
-    /// Number of undirected edges: of different pairs of ends.
+    /// Number of undirected edges: of pairs of different vertices that are the ends of a side.
     pub edges: usize,
     /// Number of boundary curves; `None` where an irregular edge interrupts them.
     pub curves: Option<usize>,

@@ -78,9 +78,10 @@ impl<H: Handle> Slow<H> {
         self.sides[i].along.len() == 2 && self.opposite(i).is_none()
     }
 
-    /// Each edge by its first half-edge.
+    /// Each edge by its first half-edge. A side that returns to its own vertex is no edge.
     pub(super) fn edges(&self) -> Vec<usize> {
-        (0..self.sides.len()).filter(|&i| self.sides[i].along[0] == i).collect()
+        let is_edge = |side: &Side<H>| side.from != side.to;
+        (0..self.sides.len()).filter(|&i| self.sides[i].along[0] == i && is_edge(&self.sides[i])).collect()
     }
 
     pub(super) fn out_of(&self, v: usize) -> Vec<usize> {

@@ -85,26 +85,26 @@ fn directions() -> Vec<Case> {
 
 const MIXED: [[u32; 3]; 5] = [[0, 1, 2], [2, 3, 4], [1, 0, 5], [2, 3, 5], [0, 1, 6]];
 
-/// Faces that name no vertex, or one twice.
+/// Faces that name no vertex, or one twice: a side that returns to its own vertex is no edge.
 fn faces() -> Vec<Case> {
     vec![
-        Case::new("degenerate face", 5, &[[0, 1, 2], [3, 3, 4]], 5, None).degenerate(1, 3),
-        Case::new("degenerate face, ends alike", 5, &[[4, 3, 4], [0, 1, 2]], 5, None).degenerate(0, 4),
-        Case::new("degenerate face on an edge", 3, &[[0, 1, 2], [1, 2, 2]], 4, None)
+        Case::new("degenerate face", 5, &[[0, 1, 2], [3, 3, 4]], 4, None).degenerate(1, 3),
+        Case::new("degenerate face, ends alike", 5, &[[4, 3, 4], [0, 1, 2]], 4, None).degenerate(0, 4),
+        Case::new("degenerate face on an edge", 3, &[[0, 1, 2], [1, 2, 2]], 3, None)
             .degenerate(1, 2)
             .non_manifold_edge([1, 2], 3, 1)
             .several_fans(1, 2),
-        Case::new("a face at one vertex", 2, &[[1, 1, 1]], 1, None)
+        Case::new("a face at one vertex", 2, &[[1, 1, 1]], 0, None)
             .degenerate(0, 1)
             .non_manifold_edge([1, 1], 3, 0)
             .several_fans(1, 3),
         Case::new("vertex out of range", 3, &[[0, 1, 2], [1, 3, 2]], 5, None).out_of_range(1, 3),
         Case::new("the largest index", 4, &[[0, u32::MAX, 2]], 3, None).out_of_range(0, u32::MAX),
-        Case::new("a face without vertices", 0, &[[0, 0, 0]], 1, None).out_of_range(0, 0),
-        Case::new("degenerate face before one out of range", 3, &[[0, 1, 1], [0, 1, 7]], 4, None)
+        Case::new("a face without vertices", 0, &[[0, 0, 0]], 0, None).out_of_range(0, 0),
+        Case::new("degenerate face before one out of range", 3, &[[0, 1, 1], [0, 1, 7]], 3, None)
             .degenerate(0, 1)
             .out_of_range(1, 7),
-        Case::new("face out of range before a degenerate one", 3, &[[0, 1, 7], [0, 1, 1]], 4, None)
+        Case::new("face out of range before a degenerate one", 3, &[[0, 1, 7], [0, 1, 1]], 3, None)
             .out_of_range(0, 7)
             .degenerate(1, 1),
     ]
