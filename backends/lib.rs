@@ -49,3 +49,8 @@ pub use selected::{Mesh, Selected};
 pub use table::Table;
 pub use vertex_graph::VertexGraph;
 pub use winged_edge::WingedEdge;
+
+/// Runs the README's program.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -237,7 +237,7 @@ impl<L: Layout<Opposite: Kept, Edges: Edges<List: Kept, Index: Answered>>> EdgeM
     #[inline]
     fn edge(&self, h: HalfEdgeId) -> EdgeId {
         let by_search = || {
-            let least = self.edge_fan(h).min().unwrap_or(h);
+            let least = self.edge_fan(h).take(2).min().unwrap_or(h);
             EdgeId::new(self.edge_list.as_slice().partition_point(|&g| g < least))
         };
         EdgeIndex::<L>::get_or(&self.edge_index, h.index(), by_search)

@@ -31,7 +31,8 @@ pub trait Adjacency: Topology {
     /// whose two faces run along it in the same direction. O(1).
     fn opposite(&self, h: Self::HalfEdge) -> Option<Self::HalfEdge>;
 
-    /// Every half-edge along the edge of `h`, in either direction, each once, `h` first.
+    /// Every half-edge along the edge of `h`, in either direction, each once: `h` first, then the others in
+    /// ascending order, so the least of an edge is among the first two.
     #[inline]
     fn edge_fan(&self, h: Self::HalfEdge) -> impl Iterator<Item = Self::HalfEdge> {
         core::iter::once(h).chain(self.opposite(h))

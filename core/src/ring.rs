@@ -156,7 +156,7 @@ pub(crate) fn each_neighbour_once<T: Incidence + ?Sized>(
     mesh: &T,
     v: T::Vertex,
 ) -> impl Iterator<Item = T::Vertex> {
-    let is_least = move |h: T::HalfEdge| mesh.edge_fan(h).min() == Some(h);
+    let is_least = move |h: T::HalfEdge| mesh.edge_fan(h).nth(1).is_none_or(|least_other| h < least_other);
     mesh.star(v).flat_map(move |h| {
         let p = mesh.prev(h);
         let out = is_least(h).then(|| mesh.target(h));

@@ -25,6 +25,7 @@ fn across<T: Adjacency>(case: &Case, mesh: &T, slow: &Slow<T::HalfEdge>, i: usiz
     assert_eq!(mesh.is_boundary(h), slow.is_boundary(i), "{at}: is_boundary");
     let fan = all(&at, || mesh.edge_fan(h));
     assert_eq!(fan[0], h, "{at}: edge_fan starts with itself");
+    assert!(fan[1..].is_sorted(), "{at}: then the others in ascending order");
     assert_eq!(fan.len(), slow.sides[i].along.len(), "{at}: edge_fan has each half-edge once");
     let along = slow.names(slow.sides[i].along.iter().copied());
     assert_eq!(fan.into_iter().collect::<alloc::collections::BTreeSet<_>>(), along, "{at}: edge_fan");
