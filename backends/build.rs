@@ -87,15 +87,15 @@ pub(crate) fn links<K: Link>(
     };
     let (mut outgoing, mut vertex_records) = (Vec::new(), Records::default());
     if with_outgoing {
-        let fans = fans::fans(vertex_count, faces, &opposite)?;
+        let fans = fans::fans(&View { vertex_count, faces, opposite: &opposite })?;
         if holds {
             vertex_records = Records::new(fans.several.iter().map(|(_, starts)| &starts[..]))?;
-            outgoing = into_links(fans.outgoing);
+            outgoing = into_links(fans.outgoing.into_vec());
             for ((place, _), (v, _)) in vertex_records.iter().zip(&fans.several) {
                 outgoing[v.index()] = numbered(place)?;
             }
         } else {
-            outgoing = into_links(fans.refuse_several()?);
+            outgoing = into_links(fans.refuse_several()?.into_vec());
         }
     }
     let mut opposite: Vec<K> = into_links(opposite);
@@ -112,7 +112,7 @@ fn into_links<K: Link>(slots: Vec<Slot<HalfEdgeId>>) -> Vec<K> {
     slots.into_iter().map(K::from).collect()
 }
 
-fn numbered<K: Link>(number: usize) -> Result<K, BuildError> {
+pub(crate) fn numbered<K: Link>(number: usize) -> Result<K, BuildError> {
     let limit = Coded::MAX_HALF_EDGES;
     K::numbered(number).ok_or(BuildError::TooManyHalfEdges { half_edges: number, limit })
 }
@@ -153,10 +153,14 @@ impl<K: Link> Links<K> {
     /// The start of each boundary curve; the links of boundary half-edges then name their curve, and those of
     /// irregular edges count on from there.
     pub(crate) fn name_curves(&mut self, faces: &[[u32; 3]]) -> Result<Vec<HalfEdgeId>, BuildError> {
-        let view = View { faces, opposite: &self.opposite };
-        let starts = boundary::curves(&view);
-        let curve = |(k, &start)| boundary::Curve::new(&view, start).map(move |h| (h, k));
-        let named: Vec<(HalfEdgeId, usize)> = starts.iter().enumerate().flat_map(curve).collect();
+        let view = View { vertex_count: 0, faces, opposite: &self.opposite };
+        let starts = boundary::try_curves(&view)?;
+        let mut named = Vec::new();
+        for (k, &start) in starts.iter().enumerate() {
+            for h in boundary::Curve::new(&view, start) {
+                memory::push(&mut named, (h, k))?;
+            }
+        }
         if !self.edge_records.words.is_empty() {
             for link in &mut self.opposite {
                 if let Some(place) = link.number() {
@@ -173,6 +177,8 @@ impl<K: Link> Links<K> {
 
 /// Faces and links as a mesh, before there is one.
 struct View<'a, K> {
+    /// Not asked for along the boundary.
+    vertex_count: usize,
     faces: &'a [[u32; 3]],
     opposite: &'a [K],
 }
@@ -183,7 +189,7 @@ impl<K> Topology for View<'_, K> {
     type Face = FaceId;
 
     fn vertex_count(&self) -> usize {
-        self.faces.as_flattened().iter().max().map_or(0, |&v| v as usize + 1)
+        self.vertex_count
     }
 
     fn face_count(&self) -> usize {

@@ -10,8 +10,6 @@ mod sealed {
 /// What a layout does with one column. Sealed: the three policies below are all there are. (`Clone`, because
 /// that is what the derived `Clone` of `Table` asks of a policy.)
 pub trait Policy: sealed::Sealed + Clone + 'static {
-    /// Name for tables in documentation.
-    const NAME: &'static str;
     /// Cells in memory for each element: 1 or 0.
     const CELLS: usize;
     /// The cells in memory: a boxed slice, or nothing at all.
@@ -71,19 +69,16 @@ impl sealed::Sealed for Computed {}
 impl sealed::Sealed for Absent {}
 
 impl Policy for Stored {
-    const NAME: &'static str = "stored";
     const CELLS: usize = 1;
     type Cells<T: Copy + Debug + Send + Sync> = InMemory<T>;
 }
 
 impl Policy for Computed {
-    const NAME: &'static str = "computed";
     const CELLS: usize = 0;
     type Cells<T: Copy + Debug + Send + Sync> = Nowhere<T>;
 }
 
 impl Policy for Absent {
-    const NAME: &'static str = "-";
     const CELLS: usize = 0;
     type Cells<T: Copy + Debug + Send + Sync> = Nowhere<T>;
 }

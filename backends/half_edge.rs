@@ -61,8 +61,7 @@ impl FromFaces for HalfEdgeMesh {
 }
 
 impl Footprint for HalfEdgeMesh {
-    const BYTES: Bytes =
-        Bytes { constant: 0, vertex: 4, edge: 0, face: 60, curve: 0, edge_record: 0, vertex_record: 0 };
+    const BYTES: Bytes = Bytes { vertex: 4, face: 60, ..Bytes::NONE };
 
     fn heap_bytes(&self) -> usize {
         size_of_val(&*self.records) + size_of_val(&*self.outgoing)

@@ -35,8 +35,6 @@ pub trait Layout: Copy + Send + Sync + 'static {
 
 /// How a layout names edges: not at all ([`Absent`]), by a [`Sorted`] list, or with an [`Indexed`] one.
 pub trait Edges: 'static {
-    /// Name for tables in documentation.
-    const NAME: &'static str;
     /// Edge -> its least half-edge, ascending.
     type List: Policy;
     /// Half-edge -> edge: where it is [`Computed`], by binary search in the list.
@@ -52,19 +50,16 @@ pub enum Sorted {}
 pub enum Indexed {}
 
 impl Edges for Absent {
-    const NAME: &'static str = "-";
     type List = Absent;
     type Index = Absent;
 }
 
 impl Edges for Sorted {
-    const NAME: &'static str = "sorted";
     type List = Stored;
     type Index = Computed;
 }
 
 impl Edges for Indexed {
-    const NAME: &'static str = "indexed";
     type List = Stored;
     type Index = Stored;
 }
@@ -72,8 +67,6 @@ impl Edges for Indexed {
 /// What a layout does with edges of three or more faces, edges that both faces run along in the same direction,
 /// and vertices of several fans.
 pub trait Defects: 'static {
-    /// Name for tables in documentation.
-    const NAME: &'static str;
     /// The records of such elements.
     type Records: Policy;
 }
@@ -87,12 +80,10 @@ pub enum Refuses {}
 pub enum Holds {}
 
 impl Defects for Refuses {
-    const NAME: &'static str = "refuses";
     type Records = Absent;
 }
 
 impl Defects for Holds {
-    const NAME: &'static str = "holds";
     type Records = Stored;
 }
 
@@ -148,10 +139,13 @@ macro_rules! define {
                 }
             )+
         }
-        $(
-            #[doc = $doc]
-            pub type $name = crate::Table<rows::$name>;
-        )+
+        /// The structures of the rows: `CheL2` is `Table<rows::CheL2>`. They are at the root of the crate as well.
+        pub mod aliases {
+            $(
+                #[doc = $doc]
+                pub type $name = crate::Table<super::rows::$name>;
+            )+
+        }
     };
 }
 with_layouts!(define);

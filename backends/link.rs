@@ -4,8 +4,6 @@ use onering_core::{HalfEdgeId, Handle, Slot};
 
 /// How a four-byte cell says "this half-edge" and "none".
 pub trait Coding: 'static {
-    /// Name for tables in documentation.
-    const NAME: &'static str;
     /// The most half-edges that it can name.
     const MAX_HALF_EDGES: usize;
     /// One link.
@@ -34,13 +32,11 @@ pub enum Plain {}
 pub enum Coded {}
 
 impl Coding for Plain {
-    const NAME: &'static str = "plain";
     const MAX_HALF_EDGES: usize = u32::MAX as usize - 1;
     type Link = Slot<HalfEdgeId>;
 }
 
 impl Coding for Coded {
-    const NAME: &'static str = "coded";
     const MAX_HALF_EDGES: usize = i32::MAX as usize;
     type Link = CodedLink;
 }

@@ -104,8 +104,7 @@ impl FromFaces for WingedEdge {
 }
 
 impl Footprint for WingedEdge {
-    const BYTES: Bytes =
-        Bytes { constant: 0, vertex: 4, edge: 32, face: 4, curve: 0, edge_record: 0, vertex_record: 0 };
+    const BYTES: Bytes = Bytes { vertex: 4, edge: 32, face: 4, ..Bytes::NONE };
 
     fn heap_bytes(&self) -> usize {
         size_of_val(&*self.edges) + size_of_val(&*self.vertices) + size_of_val(&*self.faces)

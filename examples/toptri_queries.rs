@@ -42,7 +42,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let graph = VertexGraph::from_faces(mesh.positions.len(), &mesh.faces)?;
     println!("{:28} {:8.3} ms", "build", 1e3 * start.elapsed().as_secs_f64());
 
-    let vertices = pick(&graph.vertices().filter(|&v| graph.neighbours(v).len() > 0).collect::<Vec<VertexId>>());
+    let vertices =
+        pick(&graph.vertices().filter(|&v| graph.neighbours(v).len() > 0).collect::<Vec<VertexId>>());
     let edges = pick(&graph.edges().collect::<Vec<_>>());
     let faces = pick(&graph.faces().collect::<Vec<_>>());
     time("vGetAdjacentVertices", &vertices, |v| graph.neighbours(v).map(Handle::index).sum());

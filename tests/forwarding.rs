@@ -1,6 +1,6 @@
 //! References and adaptors hand on every method: where a mesh overrides a provided one, it is the override that is
 //! called.
-use onering::*;
+use onering::{handle::Handles, *};
 use std::cell::RefCell;
 
 thread_local! {
@@ -51,6 +51,8 @@ impl Topology for Probe {
         fn first(x: FaceId) -> HalfEdgeId = h(0);
         fn face_half_edges(x: FaceId) -> [HalfEdgeId; 3] = [h(0), h(1), h(2)];
         fn face_vertices(x: FaceId) -> [VertexId; 3] = [v(0), v(1), v(2)];
+        fn vertices() -> Handles<VertexId> = Handles::below(3);
+        fn faces() -> Handles<FaceId> = Handles::below(1);
         fn half_edges() -> impl Iterator<Item = HalfEdgeId> = (0..3).map(h);
         fn to_faces() -> Vec<[u32; 3]> = vec![[0, 1, 2]];
     }
@@ -83,6 +85,7 @@ impl EdgeMap for Probe {
         fn edge_count() -> usize = 3;
         fn edge(x: HalfEdgeId) -> EdgeId = EdgeId::new(x.index());
         fn half_edge(x: EdgeId) -> HalfEdgeId = h(x.index());
+        fn edges() -> Handles<EdgeId> = Handles::below(3);
         fn edge_vertices(x: EdgeId) -> [VertexId; 2] = [v(0), v(1)];
     }
 }
@@ -94,6 +97,7 @@ impl Boundaries for Probe {
         fn curve_count() -> usize = 1;
         fn curve_start(x: CurveId) -> HalfEdgeId = h(0);
         fn curve_of(x: HalfEdgeId) -> Option<CurveId> = Some(CurveId::new(0));
+        fn curves() -> Handles<CurveId> = Handles::below(1);
         fn curve(x: CurveId) -> impl Iterator<Item = HalfEdgeId> = [h(0), h(1), h(2)].into_iter();
     }
 }
@@ -111,7 +115,7 @@ fn topology(mesh: &impl Topology<Vertex = VertexId, HalfEdge = HalfEdgeId, Face 
     let f = FaceId::new(0);
     hands_on!(mesh, Topology:
         vertex_count() face_count() half_edge_count() half_edge_bound() origin(h(1)) target(h(1)) next(h(1)) prev(h(1))
-        face(h(1)) first(f) face_half_edges(f) face_vertices(f) half_edges() to_faces());
+        face(h(1)) first(f) face_half_edges(f) face_vertices(f) vertices() half_edges() faces() to_faces());
 }
 
 fn adjacency(mesh: &impl Adjacency<HalfEdge = HalfEdgeId>) {
@@ -124,12 +128,12 @@ fn incidence(mesh: &impl Incidence<Vertex = VertexId>) {
 
 fn edge_map(mesh: &impl EdgeMap<HalfEdge = HalfEdgeId, Edge = EdgeId>) {
     let e = EdgeId::new(0);
-    hands_on!(mesh, EdgeMap: edge_count() edge(h(1)) half_edge(e) edge_vertices(e));
+    hands_on!(mesh, EdgeMap: edge_count() edge(h(1)) half_edge(e) edges() edge_vertices(e));
 }
 
 fn boundaries(mesh: &impl Boundaries<HalfEdge = HalfEdgeId, Curve = CurveId>) {
     let c = CurveId::new(0);
-    hands_on!(mesh, Boundaries: curve_count() curve_start(c) curve_of(h(1)) curve(c));
+    hands_on!(mesh, Boundaries: curve_count() curve_start(c) curve_of(h(1)) curves() curve(c));
 }
 
 #[test]

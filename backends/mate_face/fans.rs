@@ -1,6 +1,7 @@
 //! The fans of every vertex, found over cells.
 use super::cell::{Cell, Walk};
-use crate::link::{Coded, CodedLink, Coding, Link};
+use crate::build::numbered;
+use crate::link::CodedLink;
 use alloc::vec::Vec;
 use onering_core::{BuildError, FaceId, HalfEdgeId, Handle, Slot, VertexId, memory};
 
@@ -46,8 +47,7 @@ pub(super) fn find(vertex_count: usize, cells: &[Cell]) -> Result<(Vec<CodedLink
     let mut links = memory::collected(first.iter().map(link))?;
     let mut place = 0;
     for fans in further.chunk_by(|a, b| a.0 == b.0) {
-        let too_many = BuildError::TooManyHalfEdges { half_edges: place, limit: Coded::MAX_HALF_EDGES };
-        links[fans[0].0.index()] = CodedLink::numbered(place).ok_or(too_many)?;
+        links[fans[0].0.index()] = numbered(place)?;
         place += 2 + fans.len();
     }
     Ok((links, records))
@@ -89,9 +89,7 @@ fn further_starts(cells: &[Cell], first: &[Slot<FaceId>]) -> Result<Vec<Further>
             }
             let (v, start) = (cell.vertices[i], FaceId::new(h / 3));
             Walk::new(cells, v, Some(start)).for_each(|(h, _)| seen[h.index()] = true);
-            let bytes = further.len().saturating_mul(2 * size_of::<Further>());
-            further.try_reserve(1).map_err(|_| BuildError::OutOfMemory { bytes })?;
-            further.push((v, place, start));
+            memory::push(&mut further, (v, place, start))?;
         }
     }
     further.sort_unstable();

@@ -133,8 +133,7 @@ impl FromFaces for MateFace {
 }
 
 impl Footprint for MateFace {
-    const BYTES: Bytes =
-        Bytes { constant: 0, vertex: 4, edge: 0, face: 24, curve: 0, edge_record: 0, vertex_record: 4 };
+    const BYTES: Bytes = Bytes { vertex: 4, face: 24, vertex_record: 4, ..Bytes::NONE };
 
     fn heap_bytes(&self) -> usize {
         size_of_val(&*self.cells) + size_of_val(&*self.vertices) + size_of_val(&*self.records)

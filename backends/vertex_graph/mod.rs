@@ -213,8 +213,7 @@ fn each_once(ends: &[u32], higher: &[u32]) -> impl Iterator<Item = [usize; 2]> {
 }
 
 impl Footprint for VertexGraph {
-    const BYTES: Bytes =
-        Bytes { constant: 4, vertex: 4, edge: 8, face: 0, curve: 0, edge_record: 0, vertex_record: 0 };
+    const BYTES: Bytes = Bytes { constant: 4, vertex: 4, edge: 8, ..Bytes::NONE };
 
     fn heap_bytes(&self) -> usize {
         size_of_val(&*self.offsets) + size_of_val(&*self.neighbours)

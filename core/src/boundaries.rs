@@ -1,5 +1,5 @@
 //! [`Boundaries`]: names for boundary curves.
-use crate::{Adjacency, Handle, boundary::Curve};
+use crate::{Adjacency, Handle, boundary::Curve, handle::Handles};
 
 /// Names boundary curves (Compact Half-Edge level 3).
 ///
@@ -36,8 +36,8 @@ pub trait Boundaries: Adjacency {
     fn curve_of(&self, h: Self::HalfEdge) -> Option<Self::Curve>;
 
     /// Every boundary curve.
-    fn curves(&self) -> impl ExactSizeIterator<Item = Self::Curve> + DoubleEndedIterator + use<Self> {
-        (0..self.curve_count()).map(Self::Curve::new)
+    fn curves(&self) -> Handles<Self::Curve> {
+        Handles::below(self.curve_count())
     }
 
     /// The half-edges along `c`, in order, the faces on their left.

@@ -1,5 +1,5 @@
 //! Boundary curves of any [`Adjacency`]. Compact Half-Edge level 3 keeps them: see [`Boundaries`](crate::Boundaries).
-use crate::{Adjacency, Map, Slot, disjoint_sets::DisjointSets, umbrella};
+use crate::{Adjacency, BuildError, Map, Slot, disjoint_sets::DisjointSets, memory, umbrella};
 use alloc::vec::Vec;
 
 /// The boundary half-edge that follows boundary half-edge `h` along its curve: the next one around its target.
@@ -35,27 +35,40 @@ pub fn next_along<M: Adjacency + ?Sized>(mesh: &M, h: M::HalfEdge) -> Option<M::
 /// assert_eq!(lengths.collect::<Vec<_>>(), [4, 3]);
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Panics
+/// If memory does not suffice: [`try_curves`] gives that as an error.
 pub fn curves<M: Adjacency + ?Sized>(mesh: &M) -> Vec<M::HalfEdge> {
-    let mut seen: Map<M::HalfEdge, bool> = Map::filled(mesh.half_edge_bound(), false);
-    for b in mesh.half_edges().filter(|&h| mesh.is_boundary(h)) {
-        if let Some(g) = next_along(mesh, b) {
-            seen[g] = true;
-        }
+    try_curves(mesh).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// As [`curves`], for the construction of a structure.
+///
+/// # Errors
+/// [`BuildError::OutOfMemory`].
+pub fn try_curves<M: Adjacency + ?Sized>(mesh: &M) -> Result<Vec<M::HalfEdge>, BuildError> {
+    let on_boundary = || mesh.half_edges().filter(|&h| mesh.is_boundary(h));
+    let mut seen: Map<M::HalfEdge, bool> = memory::filled(mesh.half_edge_bound(), false)?.into();
+    for g in on_boundary().filter_map(|b| next_along(mesh, b)) {
+        seen[g] = true;
     }
     // What nothing leads to begins a curve that ends early; what is then still unmarked lies on closed ones.
-    let mut starts: Vec<_> = mesh.half_edges().filter(|&h| mesh.is_boundary(h) && !seen[h]).collect();
+    let mut starts = Vec::new();
+    for start in on_boundary().filter(|&h| !seen[h]) {
+        memory::push(&mut starts, start)?;
+    }
     seen.as_mut_slice().fill(false);
     for &start in &starts {
         Curve::new(mesh, start).for_each(|h| seen[h] = true);
     }
-    for start in mesh.half_edges().filter(|&h| mesh.is_boundary(h)) {
+    for start in on_boundary() {
         if !seen[start] {
-            starts.push(start);
+            memory::push(&mut starts, start)?;
             Curve::new(mesh, start).for_each(|h| seen[h] = true);
         }
     }
     starts.sort_unstable();
-    starts
+    Ok(starts)
 }
 
 /// Number of boundary half-edges, which is the length of all boundary curves together. O(half-edges).
@@ -76,7 +89,7 @@ pub fn edge_count<M: Adjacency + ?Sized>(mesh: &M) -> usize {
 /// two boundary edges or none, which takes an edge of three or more faces.
 ///
 /// As many as there are [`curves`], where faces agree in orientation and no edge has three. O(half-edges) then;
-/// nearly linear otherwise, with some 17 bytes for each half-edge.
+/// nearly linear otherwise, with some 16 bytes for each half-edge.
 ///
 /// ```
 /// # use onering::DirectedEdgesSmall as Mesh;

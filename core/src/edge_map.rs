@@ -1,5 +1,5 @@
 //! [`EdgeMap`]: names for undirected edges.
-use crate::{Adjacency, Handle};
+use crate::{Adjacency, Handle, handle::Handles};
 
 /// Names undirected edges (Compact Half-Edge level 2).
 ///
@@ -34,8 +34,8 @@ pub trait EdgeMap: Adjacency {
     fn half_edge(&self, e: Self::Edge) -> Self::HalfEdge;
 
     /// Every edge.
-    fn edges(&self) -> impl ExactSizeIterator<Item = Self::Edge> + DoubleEndedIterator + use<Self> {
-        (0..self.edge_count()).map(Self::Edge::new)
+    fn edges(&self) -> Handles<Self::Edge> {
+        Handles::below(self.edge_count())
     }
 
     /// The two ends of `e`, in the direction of [`half_edge`](Self::half_edge).

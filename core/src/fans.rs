@@ -1,49 +1,42 @@
 //! Where to start around each vertex, and the vertices whose faces form several fans.
-use crate::{BuildError, HalfEdgeId, Handle, Slot, VertexId, corner, memory};
+use crate::{Adjacency, BuildError, Handle, Map, Slot, Topology, memory, ring::Fan};
 use alloc::vec::Vec;
 
 /// For each vertex the start of its first fan, and the vertices that have more.
 #[derive(Clone, Debug)]
-pub struct Fans {
-    /// For each vertex: its lowest half-edge that nothing lies clockwise of, or where every fan is closed, its
-    /// lowest half-edge.
-    pub outgoing: Vec<Slot<HalfEdgeId>>,
+pub struct Fans<M: Topology> {
+    /// For each vertex: its least half-edge that nothing lies clockwise of, or where every fan is closed, its
+    /// least half-edge.
+    pub outgoing: Map<M::Vertex, Slot<M::HalfEdge>>,
     /// The start of every fan of each vertex that has several, by vertex; the first is its `outgoing`.
-    pub several: Vec<(VertexId, Vec<HalfEdgeId>)>,
+    pub several: Vec<(M::Vertex, Vec<M::HalfEdge>)>,
 }
 
-/// The fans of corner-numbered `faces` with these opposites. O(faces); four bytes a vertex, and one for each
-/// half-edge where some vertex has several fans.
+/// The fans of `mesh`. O(faces), and O(n log n) in the number n of further fans; four bytes a vertex, and one for
+/// each half-edge where some vertex has several fans.
 ///
 /// # Errors
 /// [`BuildError::OutOfMemory`].
-pub fn fans(
-    vertex_count: usize,
-    faces: &[[u32; 3]],
-    opposite: &[Slot<HalfEdgeId>],
-) -> Result<Fans, BuildError> {
-    let mut outgoing = memory::filled(vertex_count, Slot::NONE)?;
-    for (h, &v) in faces.as_flattened().iter().enumerate() {
-        let first: &mut Slot<HalfEdgeId> = &mut outgoing[v as usize];
-        let is_better = match first.get() {
-            None => true,
-            Some(g) => opposite[h].get().is_none() && opposite[g.index()].get().is_some(),
-        };
-        if is_better {
-            *first = Slot::some(HalfEdgeId::new(h));
+pub fn fans<M: Adjacency>(mesh: &M) -> Result<Fans<M>, BuildError> {
+    let mut outgoing: Map<M::Vertex, Slot<M::HalfEdge>> =
+        memory::filled(mesh.vertex_count(), Slot::NONE)?.into();
+    for h in mesh.half_edges() {
+        let first = &mut outgoing[mesh.origin(h)];
+        if first.get().is_none_or(|g| mesh.opposite(h).is_none() && mesh.opposite(g).is_some()) {
+            *first = Slot::some(h);
         }
     }
-    let seen: usize = outgoing.iter().filter_map(|s| s.get()).map(|h| turn(opposite, h).count()).sum();
-    let several = if seen == 3 * faces.len() { Vec::new() } else { several(faces, opposite, &outgoing)? };
+    let seen: usize = outgoing.iter().map(|(_, first)| Fan::new(mesh, first.get()).count()).sum();
+    let several = if seen == mesh.half_edge_count() { Vec::new() } else { several(mesh, &outgoing)? };
     Ok(Fans { outgoing, several })
 }
 
-impl Fans {
-    /// The starts, for a backend that holds one fan a vertex.
+impl<M: Topology> Fans<M> {
+    /// The starts, for a structure that holds one fan a vertex.
     ///
     /// # Errors
     /// [`BuildError::SeveralFans`] for the lowest vertex that has more.
-    pub fn refuse_several(self) -> Result<Vec<Slot<HalfEdgeId>>, BuildError> {
+    pub fn refuse_several(self) -> Result<Map<M::Vertex, Slot<M::HalfEdge>>, BuildError> {
         match self.several.first() {
             Some((v, fans)) => Err(BuildError::SeveralFans { vertex: v.index(), fans: fans.len() }),
             None => Ok(self.outgoing),
@@ -51,38 +44,35 @@ impl Fans {
     }
 }
 
-/// The half-edges out of one vertex from `start`, counter-clockwise.
-fn turn(opposite: &[Slot<HalfEdgeId>], start: HalfEdgeId) -> impl Iterator<Item = HalfEdgeId> {
-    let step = move |&h: &HalfEdgeId| opposite[corner::prev(h).index()].get().filter(|&g| g != start);
-    core::iter::successors(Some(start), step)
-}
+type Several<M> = Vec<(<M as Topology>::Vertex, Vec<<M as Topology>::HalfEdge>)>;
 
 /// What the turns from `outgoing` did not see begins further fans.
-fn several(
-    faces: &[[u32; 3]],
-    opposite: &[Slot<HalfEdgeId>],
-    outgoing: &[Slot<HalfEdgeId>],
-) -> Result<Vec<(VertexId, Vec<HalfEdgeId>)>, BuildError> {
-    let mut seen = memory::filled(3 * faces.len(), false)?;
-    for start in outgoing.iter().filter_map(|s| s.get()) {
-        turn(opposite, start).for_each(|h| seen[h.index()] = true);
+fn several<M: Adjacency>(
+    mesh: &M,
+    outgoing: &Map<M::Vertex, Slot<M::HalfEdge>>,
+) -> Result<Several<M>, BuildError> {
+    let mut seen: Map<M::HalfEdge, bool> = memory::filled(mesh.half_edge_bound(), false)?.into();
+    for (_, first) in outgoing.iter() {
+        Fan::new(mesh, first.get()).for_each(|h| seen[h] = true);
     }
     let mut further = Vec::new();
     // Open fans first: a closed one may start anywhere, an open one only at its clockwise end.
     for open in [true, false] {
-        for h in 0..3 * faces.len() {
-            if !seen[h] && (!open || opposite[h].get().is_none()) {
-                let start = HalfEdgeId::new(h);
-                turn(opposite, start).for_each(|h| seen[h.index()] = true);
-                further.push((corner::origin(faces, h), !open, start));
+        for h in mesh.half_edges() {
+            if !seen[h] && (!open || mesh.opposite(h).is_none()) {
+                Fan::new(mesh, Some(h)).for_each(|h| seen[h] = true);
+                memory::push(&mut further, (mesh.origin(h), !open, h))?;
             }
         }
     }
     further.sort_unstable();
-    let with_first = |of: &[(u32, bool, HalfEdgeId)]| {
-        let v = VertexId::new(of[0].0 as usize);
-        let first = outgoing[v.index()].get();
-        (v, first.into_iter().chain(of.iter().map(|&(_, _, start)| start)).collect())
-    };
-    Ok(further.chunk_by(|a, b| a.0 == b.0).map(with_first).collect())
+    let mut several = Vec::new();
+    for of in further.chunk_by(|a, b| a.0 == b.0) {
+        let v = of[0].0;
+        let mut starts = memory::with_room(1 + of.len())?;
+        starts.extend(outgoing[v].get());
+        starts.extend(of.iter().map(|&(_, _, start)| start));
+        memory::push(&mut several, (v, starts))?;
+    }
+    Ok(several)
 }

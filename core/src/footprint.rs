@@ -48,6 +48,10 @@ pub struct Counts {
 }
 
 impl Bytes {
+    /// No byte for anything: what a formula begins with.
+    pub const NONE: Self =
+        Self { constant: 0, vertex: 0, edge: 0, face: 0, curve: 0, edge_record: 0, vertex_record: 0 };
+
     /// Bytes for a mesh with these counts.
     pub const fn of(&self, n: &Counts) -> usize {
         self.constant

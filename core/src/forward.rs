@@ -32,7 +32,9 @@ macro_rules! topology_of {
             fn first(f: $T::Face) -> $T::HalfEdge;
             fn face_half_edges(f: $T::Face) -> [$T::HalfEdge; 3];
             fn face_vertices(f: $T::Face) -> [$T::Vertex; 3];
+            fn vertices() -> Handles<$T::Vertex>;
             fn half_edges() -> impl Iterator<Item = $T::HalfEdge>;
+            fn faces() -> Handles<$T::Face>;
             fn to_faces() -> Vec<[u32; 3]>;
         }
     };
@@ -73,6 +75,7 @@ macro_rules! edge_map_of {
             fn edge_count() -> usize;
             fn edge(h: $T::HalfEdge) -> $T::Edge;
             fn half_edge(e: $T::Edge) -> $T::HalfEdge;
+            fn edges() -> Handles<$T::Edge>;
             fn edge_vertices(e: $T::Edge) -> [$T::Vertex; 2];
         }
     };
@@ -87,6 +90,7 @@ macro_rules! boundaries_of {
             fn curve_count() -> usize;
             fn curve_start(c: $T::Curve) -> $T::HalfEdge;
             fn curve_of(h: $T::HalfEdge) -> Option<$T::Curve>;
+            fn curves() -> Handles<$T::Curve>;
             fn curve(c: $T::Curve) -> impl Iterator<Item = $T::HalfEdge>;
         }
     };

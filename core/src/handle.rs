@@ -1,6 +1,6 @@
 //! Handles: typed indices of four bytes.
 use bytemuck::{Pod, Zeroable};
-use core::{fmt, hash::Hash};
+use core::{fmt, hash::Hash, iter::FusedIterator, marker::PhantomData, ops::Range};
 
 /// A copyable name of one kind of mesh element: an index that cannot be mixed up with another kind's.
 ///
@@ -9,7 +9,8 @@ pub trait Handle: Copy + Eq + Ord + Hash + fmt::Debug + Send + Sync + 'static {
     /// The largest index that a handle can hold.
     const MAX_INDEX: usize;
 
-    /// The handle with this index. Panics above [`Self::MAX_INDEX`] in debug builds.
+    /// The handle with this index, which is at most [`Self::MAX_INDEX`]. A larger one panics in debug builds, and
+    /// in release builds names another element: counts are checked once, when a mesh is built.
     fn new(index: usize) -> Self;
 
     /// The index that this handle stands for.
@@ -58,3 +59,46 @@ handles! {
     /// A boundary curve.
     CurveId "b";
 }
+
+/// The handles with the indices below a count, in order: iterator of `vertices`, `faces`, `edges` and `curves`.
+#[derive(Clone, Debug)]
+pub struct Handles<H> {
+    range: Range<usize>,
+    kind: PhantomData<fn() -> H>,
+}
+
+impl<H: Handle> Handles<H> {
+    /// The handles with the indices `0..count`.
+    pub fn below(count: usize) -> Self {
+        Self { range: 0..count, kind: PhantomData }
+    }
+}
+
+impl<H: Handle> Iterator for Handles<H> {
+    type Item = H;
+
+    #[inline]
+    fn next(&mut self) -> Option<H> {
+        self.range.next().map(H::new)
+    }
+
+    #[inline]
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.range.size_hint()
+    }
+
+    #[inline]
+    fn nth(&mut self, n: usize) -> Option<H> {
+        self.range.nth(n).map(H::new)
+    }
+}
+
+impl<H: Handle> DoubleEndedIterator for Handles<H> {
+    #[inline]
+    fn next_back(&mut self) -> Option<H> {
+        self.range.next_back().map(H::new)
+    }
+}
+
+impl<H: Handle> ExactSizeIterator for Handles<H> {}
+impl<H: Handle> FusedIterator for Handles<H> {}

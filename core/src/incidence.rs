@@ -8,7 +8,8 @@ use crate::{
 /// neighbourhood takes O(degree).
 ///
 /// A *fan* of a vertex is a run of its faces, each reached from the one before by
-/// [`rotate_ccw`](Adjacency::rotate_ccw). On a manifold every vertex that is not isolated has one.
+/// [`rotate_ccw`](Adjacency::rotate_ccw). On a manifold every vertex that is not isolated has one. A structure that
+/// knows the neighbour across faces that disagree in orientation (Mate-Face) may go on there, and says so.
 ///
 /// ```compile_fail,E0277
 /// # use onering_core::*;
@@ -29,7 +30,8 @@ pub trait Incidence: Adjacency {
     /// The start of the first fan of `v`: its most clockwise half-edge, so that one counter-clockwise turn sees
     /// the whole fan. `None` when `v` is isolated. O(1).
     ///
-    /// Open fans come before closed ones: `v` has an open fan if and only if `opposite` of this is `None`.
+    /// Open fans come before closed ones: `v` has an open fan if and only if `opposite` of this is `None` (but where
+    /// a fan goes on across faces that disagree in orientation: see above).
     fn outgoing(&self, v: Self::Vertex) -> Option<Self::HalfEdge>;
 
     /// The start of every fan of `v`, that of [`outgoing`](Self::outgoing) first.

@@ -38,7 +38,7 @@ mod error;
 #[macro_use]
 mod forward;
 mod from_faces;
-mod handle;
+pub mod handle;
 mod incidence;
 mod map;
 mod reference;

@@ -37,3 +37,15 @@ pub fn owned<T: Copy>(values: Cow<'_, [T]>) -> Result<Vec<T>, BuildError> {
         Cow::Borrowed(values) => collected(values.iter().copied()),
     }
 }
+
+/// Adds `value` to a table that grows.
+#[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
+#[inline]
+pub fn push<T>(table: &mut Vec<T>, value: T) -> Result<(), BuildError> {
+    if table.len() == table.capacity() {
+        let bytes = table.len().saturating_mul(2 * size_of::<T>());
+        table.try_reserve(1).map_err(|_| BuildError::OutOfMemory { bytes })?;
+    }
+    table.push(value);
+    Ok(())
+}

@@ -1,5 +1,7 @@
 //! A shared reference is as good as the mesh: it forwards every method, so that no override is lost.
-use crate::{Adjacency, Boundaries, EdgeMap, Footprint, Incidence, Topology, footprint::Bytes};
+use crate::{
+    Adjacency, Boundaries, EdgeMap, Footprint, Incidence, Topology, footprint::Bytes, handle::Handles,
+};
 use alloc::vec::Vec;
 
 impl<T: Topology> Topology for &T {

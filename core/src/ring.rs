@@ -124,7 +124,8 @@ impl<T: Adjacency + ?Sized> Iterator for OneRing<'_, T> {
     }
 }
 
-/// One of two iterators. Chaining two optional ones instead, 4-rings on directed edges took 1.6 times as long.
+/// One of two iterators. Chaining two optional ones instead, 4-rings on directed edges small took 1.6 times as long
+/// on the Stanford bunny (all vertices, best of nine).
 #[derive(Debug)]
 pub(crate) enum Either<L, R> {
     Left(L),

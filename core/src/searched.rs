@@ -1,11 +1,12 @@
 //! [`Searched`]: every answer by looking through all faces.
-use crate::{Adjacency, Footprint, Incidence, Topology, footprint::Bytes, ring::Fan};
+use crate::{Adjacency, Footprint, Incidence, Topology, footprint::Bytes, handle::Handles, ring::Fan};
 use alloc::vec::Vec;
 
 /// A mesh that looks through all faces for every answer: gives [`Adjacency`] and [`Incidence`] to any
 /// [`Topology`], without a byte of memory. This is the "no data structure" that the papers compare with.
 ///
-/// Across an edge O(faces) a query, around a vertex O(degree x faces). It holds whatever the mesh holds:
+/// O(faces) a query across an edge, O(degree x faces) for the neighbours of a vertex, and O(degree^2 x faces) for its
+/// fans, which have to be turned through to see where they start. It holds whatever the mesh holds:
 /// non-manifold edges and vertices as directed edges do, and degenerate faces. A side that returns to its own
 /// vertex has no opposite, and no vertex is a neighbour of itself.
 ///

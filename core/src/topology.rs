@@ -1,5 +1,5 @@
 //! [`Topology`]: what every backend answers.
-use crate::{Handle, corner};
+use crate::{Handle, corner, handle::Handles};
 use alloc::vec::Vec;
 
 /// Triangles over vertices: what every backend answers.
@@ -84,8 +84,8 @@ pub trait Topology {
     }
 
     /// Every vertex.
-    fn vertices(&self) -> impl ExactSizeIterator<Item = Self::Vertex> + DoubleEndedIterator + use<Self> {
-        (0..self.vertex_count()).map(Self::Vertex::new)
+    fn vertices(&self) -> Handles<Self::Vertex> {
+        Handles::below(self.vertex_count())
     }
 
     /// Every half-edge.
@@ -94,8 +94,8 @@ pub trait Topology {
     }
 
     /// Every face.
-    fn faces(&self) -> impl ExactSizeIterator<Item = Self::Face> + DoubleEndedIterator + use<Self> {
-        (0..self.face_count()).map(Self::Face::new)
+    fn faces(&self) -> Handles<Self::Face> {
+        Handles::below(self.face_count())
     }
 
     /// The faces as three vertex indices each, as [`FromFaces`](crate::FromFaces) takes them. O(faces).

@@ -1,7 +1,7 @@
 //! [`WithOpposites`]: a mesh and a table of opposites.
 use crate::{
     Adjacency, Boundaries, BuildError, EdgeMap, Footprint, Handle, Incidence, Map, Pairing, Slot, Topology,
-    footprint::Bytes, memory, pairing,
+    footprint::Bytes, handle::Handles, memory, pairing,
 };
 use alloc::vec::Vec;
 

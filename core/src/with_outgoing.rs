@@ -1,14 +1,14 @@
 //! [`WithOutgoing`]: a mesh and a table of where to start around each vertex.
 use crate::{
-    Adjacency, Boundaries, BuildError, EdgeMap, Footprint, Handle, Incidence, Map, Slot, Topology,
-    footprint::Bytes, memory, pairing, ring::Fan,
+    Adjacency, Boundaries, BuildError, EdgeMap, Footprint, Handle, Incidence, Map, Slot, Topology, fans,
+    footprint::Bytes, handle::Handles, pairing,
 };
 use alloc::vec::Vec;
 
 /// A mesh and a table of where to start around each vertex: gives [`Incidence`] to any [`Adjacency`].
 ///
-/// Four bytes a vertex. It is strict: faces have three vertices, and those of every vertex form one fan. All that the mesh has already is
-/// handed on.
+/// Four bytes a vertex. It is strict: faces have three vertices, and those of every vertex form one fan. All that
+/// the mesh has already is handed on.
 #[derive(Clone, Debug)]
 pub struct WithOutgoing<T: Topology> {
     mesh: T,
@@ -30,18 +30,7 @@ impl<T: Adjacency> WithOutgoing<T> {
                 return Err(BuildError::DegenerateFace { face: f.index(), vertex: vertex.index() as u32 });
             }
         }
-        let mut outgoing: Map<T::Vertex, Slot<T::HalfEdge>> =
-            memory::filled(mesh.vertex_count(), Slot::NONE)?.into();
-        for h in mesh.half_edges() {
-            let first = &mut outgoing[mesh.origin(h)];
-            if first.get().is_none_or(|g| mesh.opposite(g).is_some() && mesh.opposite(h).is_none()) {
-                *first = Slot::some(h);
-            }
-        }
-        let seen = |(_, first): (_, &Slot<_>)| Fan::new(&mesh, first.get()).count();
-        if outgoing.iter().map(seen).sum::<usize>() < mesh.half_edge_count() {
-            return Err(several_fans(&mesh, &outgoing)?);
-        }
+        let outgoing = fans::fans(&mesh)?.refuse_several()?;
         Ok(Self { mesh, outgoing })
     }
 }
@@ -56,29 +45,6 @@ impl<T: Topology> WithOutgoing<T> {
     pub fn into_mesh(self) -> T {
         self.mesh
     }
-}
-
-/// The error for the lowest vertex that the turns from `outgoing` do not see all faces of.
-fn several_fans<T: Adjacency>(
-    mesh: &T,
-    outgoing: &Map<T::Vertex, Slot<T::HalfEdge>>,
-) -> Result<BuildError, BuildError> {
-    let mut seen: Map<T::HalfEdge, bool> = memory::filled(mesh.half_edge_bound(), false)?.into();
-    for (_, first) in outgoing.iter() {
-        Fan::new(mesh, first.get()).for_each(|h| seen[h] = true);
-    }
-    let lowest = mesh.half_edges().filter(|&h| !seen[h]).map(|h| mesh.origin(h)).min();
-    let mut fans = 1;
-    // Open fans first: a turn sees the whole of one only from its clockwise end.
-    for open in [true, false] {
-        for h in mesh.half_edges().filter(|&h| Some(mesh.origin(h)) == lowest) {
-            if !seen[h] && (!open || mesh.opposite(h).is_none()) {
-                Fan::new(mesh, Some(h)).for_each(|h| seen[h] = true);
-                fans += 1;
-            }
-        }
-    }
-    Ok(BuildError::SeveralFans { vertex: lowest.map_or(0, Handle::index), fans })
 }
 
 impl<T: Topology> Topology for WithOutgoing<T> {

@@ -36,7 +36,7 @@ pub(super) fn pair(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Paired, Bu
         for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
             let h = (3 * f + k) as u32;
             if let Some(root) = lists.add(h, a, b, &mut patience) {
-                extra.push((HalfEdgeId::new(root as usize), HalfEdgeId::new(h as usize)));
+                memory::push(&mut extra, (HalfEdgeId::new(root as usize), HalfEdgeId::new(h as usize)))?;
             }
         }
         if patience == 0 {
@@ -44,7 +44,7 @@ pub(super) fn pair(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Paired, Bu
             return counting_sort::pair(vertex_count, faces);
         }
     }
-    Ok(Joiner::with(faces, lists.into_opposites(), extra).finish())
+    Joiner::with(faces, lists.into_opposites(), extra).finish()
 }
 
 struct Lists<'a> {

@@ -70,21 +70,26 @@ impl<'a> Joiner<'a> {
 
     /// `h` lies along the same edge as `root`, the first half-edge there.
     #[inline]
-    pub(super) fn join(&mut self, root: usize, h: usize) {
+    pub(super) fn join(&mut self, root: usize, h: usize) -> Result<(), BuildError> {
         let (r, s) = (HalfEdgeId::new(root), HalfEdgeId::new(h));
         let is_opposite = corner::origin(self.faces, root) != corner::origin(self.faces, h);
         if is_opposite && self.opposite[root].get().is_none() {
             self.opposite[root] = Slot::some(s);
             self.opposite[h] = Slot::some(r);
+            Ok(())
         } else {
-            self.extra.push((r, s));
+            memory::push(&mut self.extra, (r, s))
         }
     }
 
-    pub(super) fn finish(mut self) -> Paired {
+    pub(super) fn finish(mut self) -> Result<Paired, BuildError> {
         self.extra.sort_unstable();
-        let mut irregular = EdgeRecords::default();
-        for group in self.extra.chunk_by(|a, b| a.0 == b.0) {
+        let by_root = || self.extra.chunk_by(|a, b| a.0 == b.0);
+        // Beside what did not pair, each record has its root, and perhaps a partner.
+        let most = self.extra.len() + 2 * by_root().count();
+        let mut irregular =
+            EdgeRecords { half_edges: memory::with_room(most)?, ends: memory::with_room(by_root().count())? };
+        for group in by_root() {
             let root = group[0].0;
             let start = irregular.half_edges.len();
             irregular.half_edges.push(root);
@@ -98,6 +103,6 @@ impl<'a> Joiner<'a> {
             irregular.half_edges[start..].sort_unstable();
             irregular.ends.push(irregular.half_edges.len() as u32);
         }
-        Paired { opposite: self.opposite, irregular }
+        Ok(Paired { opposite: self.opposite, irregular })
     }
 }

@@ -25,8 +25,8 @@ pub(super) fn pair(faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
             links[h] = *head;
             *head = h as u32;
         } else {
-            joiner.join(at as usize, h);
+            joiner.join(at as usize, h)?;
         }
     }
-    Ok(joiner.finish())
+    joiner.finish()
 }

@@ -11,8 +11,8 @@ pub(super) fn pair(faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
             (a, b) == (d, c) || (a, b) == (c, d)
         });
         if let Some(root) = root {
-            joiner.join(root, h);
+            joiner.join(root, h)?;
         }
     }
-    Ok(joiner.finish())
+    joiner.finish()
 }
