@@ -114,7 +114,7 @@ fn into_links<K: Link>(slots: Vec<Slot<HalfEdgeId>>) -> Vec<K> {
 
 pub(crate) fn numbered<K: Link>(number: usize) -> Result<K, BuildError> {
     let limit = Coded::MAX_HALF_EDGES;
-    K::numbered(number).ok_or(BuildError::TooManyHalfEdges { half_edges: number, limit })
+    K::numbered(number).ok_or(BuildError::TooManyRecords { words: number, limit })
 }
 
 impl<K: Link> Links<K> {

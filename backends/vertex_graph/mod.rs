@@ -220,6 +220,20 @@ impl Footprint for VertexGraph {
     }
 }
 
+/// As good as the graph.
+impl Neighbours for &VertexGraph {
+    type Node = VertexId;
+
+    fn node_count(&self) -> usize {
+        self.vertex_count()
+    }
+
+    #[inline]
+    fn neighbours(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
+        VertexGraph::neighbours(self, v)
+    }
+}
+
 impl Neighbours for VertexGraph {
     type Node = VertexId;
 

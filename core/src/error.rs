@@ -4,8 +4,8 @@ use core::fmt;
 /// Why a face list is not a topology that a backend can hold. Faces and vertices are named by their index.
 ///
 /// Where several things are wrong, faces are looked at before edges and edges before vertices, and the element
-/// that comes first in the list is named, whichever pairing was asked for. `onering::repair` mends all but
-/// the last three.
+/// that comes first in the list is named, whichever pairing was asked for. `repair` mends all
+/// but too large numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BuildError {
@@ -44,7 +44,7 @@ pub enum BuildError {
     /// The faces of a vertex form more than one fan, and the backend cannot hold that.
     SeveralFans {
         /// The vertex.
-        vertex: usize,
+        vertex: u32,
         /// Number of fans.
         fans: usize,
     },
@@ -55,10 +55,17 @@ pub enum BuildError {
         /// The most that the backend can name.
         limit: usize,
     },
-    /// More half-edges, or records of non-manifold elements, than the links of the backend can name.
+    /// More half-edges than the links of the backend can name.
     TooManyHalfEdges {
         /// Number of half-edges, three for each face.
         half_edges: usize,
+        /// The most that the backend can name.
+        limit: usize,
+    },
+    /// More records of non-manifold elements than the links of the backend can name.
+    TooManyRecords {
+        /// Words in the records.
+        words: usize,
         /// The most that the backend can name.
         limit: usize,
     },
@@ -90,6 +97,9 @@ impl fmt::Display for BuildError {
             }
             Self::TooManyHalfEdges { half_edges, limit } => {
                 write!(f, "{half_edges} half-edges; the most is {limit}")
+            }
+            Self::TooManyRecords { words, limit } => {
+                write!(f, "{words} words in records of non-manifold elements; the most is {limit}")
             }
             Self::OutOfMemory { bytes } => write!(f, "no memory for a table of {bytes} bytes"),
         }

@@ -38,7 +38,7 @@ impl<M: Topology> Fans<M> {
     /// [`BuildError::SeveralFans`] for the lowest vertex that has more.
     pub fn refuse_several(self) -> Result<Map<M::Vertex, Slot<M::HalfEdge>>, BuildError> {
         match self.several.first() {
-            Some((v, fans)) => Err(BuildError::SeveralFans { vertex: v.index(), fans: fans.len() }),
+            Some((v, fans)) => Err(BuildError::SeveralFans { vertex: v.index() as u32, fans: fans.len() }),
             None => Ok(self.outgoing),
         }
     }

@@ -5,6 +5,23 @@
 //!                 ^ EdgeMap   |
 //!                 ^ Boundaries `-> neighbours::Neighbours (graphs as well)
 //! ```
+//!
+//! | trait | required | first of the structures that has it |
+//! |---|---|---|
+//! | [`Topology`] | vertex_count, face_count, origin | any list of triangles over shared vertices |
+//! | [`Adjacency`] | opposite | with what lies across each edge |
+//! | [`Incidence`] | outgoing | with a start for each vertex |
+//! | [`EdgeMap`] | edge_count, edge, half_edge | with names for edges |
+//! | [`Boundaries`] | curve_count, curve_start, curve_of | with names for boundary curves |
+//!
+//! The structures themselves, and the table of what each takes and has, are in the crate `onering`. What a mesh lacks,
+//! [`WithOpposites`], [`WithOutgoing`] and [`Searched`] add.
+//!
+//! - Input: [`Defects`] names what is wrong with a list of triangles, [`repair()`] mends it.
+//! - Algorithms: [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`], [`umbrella`], [`orientation`],
+//!   [`euler`], [`degrees`].
+//! - For the author of a structure: [`pairing`], [`fans`], [`ring`], [`corner`], [`memory`], and the laws in
+//!   `conformance` (a feature).
 #![no_std]
 extern crate alloc;
 
@@ -24,6 +41,7 @@ pub mod memory;
 pub mod neighbours;
 pub mod orientation;
 pub mod pairing;
+pub mod prelude;
 pub mod repair;
 pub mod ring;
 pub mod star;
@@ -50,6 +68,7 @@ mod with_outgoing;
 
 pub use adjacency::Adjacency;
 pub use boundaries::Boundaries;
+pub use defects::Defects;
 pub use edge_map::EdgeMap;
 pub use error::BuildError;
 pub use footprint::Footprint;
@@ -58,6 +77,7 @@ pub use handle::{CurveId, EdgeId, FaceId, HalfEdgeId, Handle, VertexId};
 pub use incidence::Incidence;
 pub use map::Map;
 pub use pairing::Pairing;
+pub use repair::{RepairOptions, Repaired, repair};
 pub use searched::Searched;
 pub use slot::Slot;
 pub use topology::Topology;

@@ -1,7 +1,7 @@
 //! Attributes live beside the topology, never in it.
-use crate::Handle;
-use alloc::vec::Vec;
-use core::{marker::PhantomData, ops};
+use crate::{Handle, handle::Handles};
+use alloc::vec::{self, Vec};
+use core::{iter, marker::PhantomData, ops, slice};
 
 /// One value for each element of one kind, indexed by its handle.
 ///
@@ -10,6 +10,10 @@ use core::{marker::PhantomData, ops};
 /// let mut height: Map<VertexId, f32> = Map::from_fn(3, |v: VertexId| v.index() as f32);
 /// height[VertexId::new(1)] += 0.5;
 /// assert_eq!(height.iter().map(|(_, z)| z).sum::<f32>(), 3.5);
+/// for (v, z) in &mut height {
+///     *z -= v.index() as f32;
+/// }
+/// assert_eq!(height.as_slice(), [0.0, 0.5, 0.0]);
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Map<H, T> {
@@ -48,12 +52,12 @@ impl<H: Handle, T> Map<H, T> {
 
     /// Every handle with its value, in order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (H, &T)> + DoubleEndedIterator {
-        self.cells.iter().enumerate().map(|(i, t)| (H::new(i), t))
+        self.into_iter()
     }
 
     /// Every handle with its value to write to, in order.
     pub fn iter_mut(&mut self) -> impl ExactSizeIterator<Item = (H, &mut T)> + DoubleEndedIterator {
-        self.cells.iter_mut().enumerate().map(|(i, t)| (H::new(i), t))
+        self.into_iter()
     }
 
     /// Makes room for handles below `count`: new ones get `value`, those from `count` on lose theirs.
@@ -77,6 +81,33 @@ impl<H: Handle, T> Map<H, T> {
     /// The values in order of their handles, without a copy.
     pub fn into_vec(self) -> Vec<T> {
         self.cells
+    }
+}
+
+impl<'a, H: Handle, T> IntoIterator for &'a Map<H, T> {
+    type Item = (H, &'a T);
+    type IntoIter = iter::Zip<Handles<H>, slice::Iter<'a, T>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        Handles::below(self.len()).zip(&self.cells)
+    }
+}
+
+impl<'a, H: Handle, T> IntoIterator for &'a mut Map<H, T> {
+    type Item = (H, &'a mut T);
+    type IntoIter = iter::Zip<Handles<H>, slice::IterMut<'a, T>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        Handles::below(self.len()).zip(&mut self.cells)
+    }
+}
+
+impl<H: Handle, T> IntoIterator for Map<H, T> {
+    type Item = (H, T);
+    type IntoIter = iter::Zip<Handles<H>, vec::IntoIter<T>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        Handles::below(self.len()).zip(self.cells)
     }
 }
 

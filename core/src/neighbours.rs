@@ -6,6 +6,11 @@ use crate::{Handle, Incidence, Topology};
 ///
 /// It is not among the names at the root of the crate, because a mesh has its `neighbours` from `Incidence`:
 /// only an algorithm that serves graphs as well names this trait.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not know the neighbours of a vertex",
+    label = "neither a mesh that can start from a vertex nor a graph",
+    note = "wrap a mesh in `WithOutgoing::new(mesh)` (or `Searched::new(mesh)`), choose a backend with an `outgoing` column, such as `CheL2` or `DirectedEdgesSmall`, or the graph `VertexGraph`"
+)]
 pub trait Neighbours {
     /// Names a vertex.
     type Node: Handle;
