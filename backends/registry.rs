@@ -1,11 +1,11 @@
 //! Every backend, once. Tests, benchmarks, the shell and the table in the README are made from this list.
 //!
-//! To add a backend: write its file, and add its line here.
+//! To add a backend: write its file, name it in `lib.rs`, and add its line here.
 use crate::footprint::{Bytes, Footprint};
 
-/// Calls `$then!` with every backend: its name (as a module, and as a feature and at the shell), its type, the traits that it has (`graph` is
-/// [`Neighbours`](crate::neighbours::Neighbours)), and the defects that it holds as they are; it refuses the
-/// others with a `BuildError`. A vertex out of range is refused by all.
+/// Calls `$then!` with every backend: its name (as a module, and as a feature and at the shell), its type, the traits
+/// that it has (`graph` is [`Neighbours`](crate::neighbours::Neighbours) alone), and the defects that it holds as they
+/// are; it refuses the others with a `BuildError`. A vertex out of range is refused by all.
 #[macro_export]
 macro_rules! with_backends {
     ($then:path) => { $then! {
@@ -29,7 +29,7 @@ macro_rules! with_backends {
 /// What the registry says of one backend.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// Its name at the shell and as a cargo feature, such as `che-l2`.
+    /// Its name at the shell and as a cargo feature, such as `che-l2` (the vertex graph has no feature).
     pub name: &'static str,
     /// Its traits, from `topology` up; `graph` is the bare [`Neighbours`](crate::neighbours::Neighbours).
     pub traits: &'static [&'static str],
