@@ -16,7 +16,7 @@ pub enum Error {
     Io {
         /// The file that could not be read.
         path: PathBuf,
-        /// The file that refers to it, where it is not the one that was asked for.
+        /// The document that refers to it; `None` where it is the file that [`load`](crate::load) was asked for.
         named_in: Option<PathBuf>,
         /// What the system said.
         source: io::Error,
