@@ -1,7 +1,7 @@
 //! Uses both crates: there is one `Mesh`, and it has what each asked for.
 #[cfg(test)]
 mod tests {
-    use onering::{Adjacency, Boundaries, FromFaces, Incidence, Mesh, Topology};
+    use onering::{Adjacency, Boundaries, FromFaces, Mesh, Topology};
 
     #[test]
     fn one_mesh_serves_both() {
