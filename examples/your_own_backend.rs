@@ -1,14 +1,14 @@
 //! A backend of one's own, in a crate of one's own: a terrain on a regular grid, which stores nothing but its
-//! size. It answers the whole ladder, so every generic algorithm runs on it; the laws prove it.
+//! size. It answers the whole ladder, so every generic algorithm runs on it; tests/your_own_backend.rs runs the laws on it.
 //!
 //! `cargo run --example your_own_backend`
 use onering::{Adjacency, FaceId, HalfEdgeId, Handle, Incidence, Topology, VertexId, boundary};
 
 /// Squares of two triangles each: the lower right, then the upper left.
 #[derive(Clone, Debug)]
-struct Grid {
-    columns: usize,
-    rows: usize,
+pub(crate) struct Grid {
+    pub(crate) columns: usize,
+    pub(crate) rows: usize,
 }
 
 impl Topology for Grid {
@@ -51,6 +51,9 @@ impl Adjacency for Grid {
 
 impl Incidence for Grid {
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        if self.columns == 0 || self.rows == 0 {
+            return None;
+        }
         let (column, row) = (v.index() % (self.columns + 1), v.index() / (self.columns + 1));
         let square = |column: usize, row: usize| 6 * (row * self.columns + column);
         // The most clockwise of the up to six: on the lower border the one that runs right along it, and so on.

@@ -1,5 +1,8 @@
 //! Laws x corpus x registry: every backend holds and refuses what the registry says, and obeys the laws of every
 //! trait that it has.
+#[path = "common/gaps.rs"]
+mod gaps;
+
 use onering::conformance::{self as laws, Case, Flaw};
 use onering::{FromFaces, Searched, SharedVertex, WithOpposites, WithOutgoing};
 
@@ -162,5 +165,3 @@ fn adaptors_take_handles_with_gaps() {
         }
     });
 }
-
-mod gaps;

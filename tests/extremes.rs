@@ -34,16 +34,45 @@ fn takes_many_vertices<M: FromFaces + Footprint>() {
 }
 
 /// A fan of many faces in no order: no list is walked for every face.
-fn takes_a_hub<M: FromFaces>() {
-    const FACES: u32 = 100_000;
-    // A step that has no factor in common with the number of faces visits each once.
-    let face = |i: u32| {
-        let i = (u64::from(i) * 61_803 % u64::from(FACES)) as u32;
-        [0, 1 + i, 1 + (i + 1) % FACES]
-    };
-    let faces: Vec<_> = (0..FACES).map(face).collect();
-    let mesh = M::from_faces(FACES as usize + 1, &faces);
-    assert_eq!(mesh.err(), None);
+mod hub {
+    use super::*;
+    use onering::neighbours::Neighbours;
+
+    pub(super) const FACES: usize = 100_000;
+
+    pub(super) fn build<M: FromFaces>() -> M {
+        // A step that has no factor in common with the number of faces visits each once.
+        let face = |i: usize| [0, 1 + i * 61_803 % FACES, 1 + (i * 61_803 + 1) % FACES].map(|v| v as u32);
+        M::from_face_vec(FACES + 1, (0..FACES).map(face).collect()).unwrap()
+    }
+
+    pub(super) fn topology<M: Topology>(mesh: &M) {
+        assert_eq!(mesh.half_edges().count(), 3 * FACES);
+    }
+
+    pub(super) fn adjacency<M: Adjacency>(mesh: &M) {
+        assert_eq!(mesh.half_edges().filter(|&h| mesh.opposite(h).is_some()).count(), 2 * FACES);
+    }
+
+    pub(super) fn incidence<M: Incidence>(mesh: &M) {
+        let [hub, rim] = [0, 7].map(M::Vertex::new);
+        assert_eq!((mesh.star(hub).count(), mesh.one_ring(hub).count()), (FACES, FACES));
+        assert_eq!((mesh.star(rim).count(), mesh.one_ring(rim).count()), (2, 3));
+        graph(mesh);
+    }
+
+    pub(super) fn graph<M: Neighbours>(mesh: &M) {
+        let [hub, rim] = [0, 7].map(M::Node::new);
+        assert_eq!((mesh.neighbours(hub).count(), mesh.neighbours(rim).count()), (FACES, 3));
+    }
+
+    pub(super) fn edge_map<M: EdgeMap>(mesh: &M) {
+        assert_eq!(mesh.edge_count(), 2 * FACES);
+    }
+
+    pub(super) fn boundaries<M: Boundaries>(mesh: &M) {
+        assert_eq!(mesh.curves().map(|c| mesh.curve(c).count()).collect::<Vec<_>>(), [FACES]);
+    }
 }
 
 macro_rules! backends {
@@ -53,7 +82,8 @@ macro_rules! backends {
             refuses_too_many_vertices::<$mesh>();
             refuses_a_face_without_vertices::<$mesh>();
             takes_many_vertices::<$mesh>();
-            takes_a_hub::<$mesh>();
+            let hub: $mesh = hub::build();
+            $(hub::$has(&hub);)*
         }
     )+};
 }

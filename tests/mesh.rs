@@ -1,6 +1,8 @@
 //! `Mesh` obeys the laws of every trait that the features ask for: CI runs this with none, with each preset, and
 //! with all.
 use onering::conformance::{self as laws, Case, Flaw};
+use onering::footprint::Footprint;
+use onering::registry::{BACKENDS, Entry};
 use onering::{Mesh, Topology};
 
 const NO_ROW: &[&str] = &["MateFace", "HalfEdgeMesh", "WingedEdge"];
@@ -47,47 +49,30 @@ fn topology() {
     each(laws::footprint);
 }
 
-#[cfg(any(
-    feature = "adjacency",
-    feature = "mate-face",
-    feature = "half-edge",
-    feature = "winged-edge",
-    feature = "adjacency-graph"
-))]
-#[test]
-fn adjacency() {
-    each(laws::adjacency);
+/// The laws of each trait, run where one of these features asks for it, and what is on.
+macro_rules! traits {
+    ($($name:ident: $($feature:literal)+ => $($law:ident)+;)+) => {
+        $(#[cfg(any($(feature = $feature),+))]
+        #[test]
+        fn $name() {
+            $(each(laws::$law);)+
+        }
+        )+
+
+        const TESTED: &[(&str, bool)] = &[("topology", true), $((stringify!($name), cfg!(any($(feature = $feature),+)))),+];
+    };
+}
+traits! {
+    adjacency: "adjacency" "mate-face" "half-edge" "winged-edge" "adjacency-graph" => adjacency;
+    incidence: "incidence" "mate-face" "half-edge" "winged-edge" "adjacency-graph" => incidence graph;
+    edge_map: "edge-map" "winged-edge" => edge_map;
+    boundaries: "boundary-curves" => boundaries;
 }
 
-#[cfg(any(
-    feature = "incidence",
-    feature = "mate-face",
-    feature = "half-edge",
-    feature = "winged-edge",
-    feature = "adjacency-graph"
-))]
+/// A preset alone is that structure, byte for byte; with no preset, `Mesh` is shared-vertex. A union has the traits of
+/// each, and takes no less than each that is a row.
 #[test]
-fn incidence() {
-    each(laws::incidence);
-    each(laws::graph);
-}
-
-#[cfg(any(feature = "edge-map", feature = "winged-edge"))]
-#[test]
-fn edge_map() {
-    each(laws::edge_map);
-}
-
-#[cfg(feature = "boundary-curves")]
-#[test]
-fn boundaries() {
-    each(laws::boundaries);
-}
-
-/// A preset alone is that structure, byte for byte; with no preset, `Mesh` is shared-vertex.
-#[test]
-fn one_preset_is_its_structure() {
-    use onering::footprint::Footprint;
+fn presets_are_their_structures() {
     let presets = [
         ("shared-vertex", cfg!(feature = "shared-vertex")),
         ("che-l0", cfg!(feature = "che-l0")),
@@ -109,11 +94,30 @@ fn one_preset_is_its_structure() {
     let one_family =
         on.windows(2).all(|two| family(two[0]) == family(two[1]) && two[0] != "che-l2-edge-table");
     let is_column_on = cfg!(feature = "store-next") && !cfg!(feature = "directed-edges-full");
-    if !one_family || is_column_on {
-        return;
+    let base = if on.is_empty() { vec!["shared-vertex"] } else { on };
+    base.iter().for_each(|name| is_part(&entry(name)));
+    if one_family && !is_column_on {
+        let name = base[base.len() - 1];
+        assert_eq!(Mesh::BYTES, entry(name).bytes, "{name}");
     }
-    let name = on.last().copied().unwrap_or("shared-vertex");
-    let entry = onering::registry::BACKENDS.iter().find(|entry| entry.name == name).unwrap();
-    assert_eq!(Mesh::BYTES, entry.bytes, "{name}");
     assert_eq!(Mesh::vertex_count(&onering::FromFaces::from_faces(7, &[]).unwrap()), 7);
+}
+
+fn entry(name: &str) -> Entry {
+    *BACKENDS.iter().find(|entry| entry.name == name).unwrap()
+}
+
+fn is_part(preset: &Entry) {
+    for name in preset.traits {
+        assert!(TESTED.contains(&(name, true)), "{}: {name}", preset.name);
+    }
+    // A hand-written structure gives way to a row with its traits.
+    let is_row = !["mate-face", "half-edge", "winged-edge", "adjacency-graph"].contains(&preset.name);
+    if is_row {
+        let (mesh, part) = (Mesh::BYTES, preset.bytes);
+        assert!(mesh.face >= part.face && mesh.vertex >= part.vertex, "{}: {mesh} of {part}", preset.name);
+        // Edges are named by a sorted list, 4 E, or by a table over half-edges.
+        assert!(mesh.per_triangle() >= part.per_triangle(), "{}: {mesh} of {part}", preset.name);
+        assert!(mesh.curve >= part.curve, "{}: {mesh} of {part}", preset.name);
+    }
 }

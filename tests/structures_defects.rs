@@ -1,12 +1,19 @@
 //! Each known defect of the original implementations and of the printed algorithms has a test here that would
 //! catch it, run on every backend that has the ability. Expectations are counted by hand.
-use onering::{footprint::Footprint, *};
+//!
+//! "CHE" is the C++ code of Lage, Lewiner, Lopes and Velho for their compact half-edge (2006). Algorithms 1 and 2
+//! are those of Biscaro et al. (2016).
+#[path = "common/shapes.rs"]
+mod shapes;
+
+use onering::*;
+use std::sync::LazyLock;
 
 /// More steps than any walk here has: a walk that does not end fails instead of hanging.
 const MANY: usize = 1000;
 
 /// A closed fan of six faces around vertex 0. The rim is on the boundary.
-const WHEEL: [[u32; 3]; 6] = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5], [0, 5, 6], [0, 6, 1]];
+static WHEEL: LazyLock<Vec<[u32; 3]>> = LazyLock::new(|| shapes::wheel(6));
 
 /// Two boundary curves of four: inner vertices 0 to 3, outer ones 4 to 7.
 const ANNULUS: [[u32; 3]; 8] =
@@ -38,7 +45,7 @@ fn along<M: Topology>(mesh: &M, a: usize, b: usize) -> M::HalfEdge {
     mesh.half_edges().find(runs).unwrap()
 }
 
-/// a. `compute_CH` stops after the first curve.
+/// CHE: `compute_CH` stops after the first curve.
 fn all_curves_are_found<M: FromFaces + Adjacency>() {
     let lengths = |faces: &[[u32; 3]]| {
         let mesh: M = build(faces);
@@ -51,7 +58,8 @@ fn all_curves_are_found<M: FromFaces + Adjacency>() {
     assert!(lengths(&OCTAHEDRON).is_empty());
 }
 
-/// a and b, stored. `CH(k)` returns `VH[k]`: the start of the vertex with the number of the curve.
+/// CHE, both stored: `compute_CH`, and `CH(k)`, which returns `VH[k]`: the start of the vertex with the number of
+/// the curve.
 fn a_curve_starts_on_itself<M: FromFaces + Boundaries>() {
     for (faces, curves) in
         [(&WHEEL[..], 1), (&ANNULUS[..], 2), (&THREE_TRIANGLES[..], 3), (&OCTAHEDRON[..], 0)]
@@ -70,7 +78,7 @@ fn a_curve_starts_on_itself<M: FromFaces + Boundaries>() {
     assert_eq!(indices(rim), [1, 2, 3, 4, 5, 6]);
 }
 
-/// c. The faces around a vertex, level 1: a stray semicolon leaves the last one only. From any of its
+/// CHE: the faces around a vertex, level 1: a stray semicolon leaves the last one only. From any of its
 /// half-edges, both turns together see them all.
 fn both_turns_see_every_face<M: FromFaces + Adjacency>() {
     let around = |mesh: &M, h| {
@@ -90,7 +98,8 @@ fn both_turns_see_every_face<M: FromFaces + Adjacency>() {
     }
 }
 
-/// d. Rotation from a boundary start stops after one face; and Algorithms 1 and 2 do not stop at a boundary.
+/// CHE: rotation from a boundary start stops after one face. Biscaro et al.: Algorithms 1 and 2 do not stop at a
+/// boundary.
 fn a_turn_from_the_boundary_sees_the_whole_fan<M: FromFaces + Incidence>() {
     let wheel: M = build(&WHEEL);
     let v = M::Vertex::new;
@@ -106,7 +115,7 @@ fn a_turn_from_the_boundary_sees_the_whole_fan<M: FromFaces + Incidence>() {
     assert_eq!(indices(half.star(v(0)).map(|h| half.target(h))), [1, 2, 3, 4]);
 }
 
-/// Algorithm 2 as printed, `opposite(next(h))`, turns about the neighbour.
+/// Biscaro et al.: Algorithm 2 as printed, `opposite(next(h))`, turns about the neighbour.
 fn a_turn_is_about_its_own_vertex<M: FromFaces + Incidence>() {
     for faces in [&WHEEL[..], &ANNULUS[..], &OCTAHEDRON[..]] {
         let mesh: M = build(faces);
@@ -122,7 +131,7 @@ fn a_turn_is_about_its_own_vertex<M: FromFaces + Incidence>() {
     assert_eq!(ring, [0, 1, 3, 5]);
 }
 
-/// e. Faces on an edge of four are paired two by two in silence.
+/// CHE: faces on an edge of four are paired two by two in silence.
 fn an_edge_of_four_faces_is_refused_or_held<M: FromFaces + Adjacency>(backend: &str) {
     let faces = [[0, 1, 2], [1, 0, 3], [0, 1, 4], [1, 0, 5]];
     if !holds(backend, "non_manifold_edge") {
@@ -138,7 +147,7 @@ fn an_edge_of_four_faces_is_refused_or_held<M: FromFaces + Adjacency>(backend: &
     }
 }
 
-/// e. Two faces that run in the same direction are paired as opposites.
+/// CHE: two faces that run in the same direction are paired as opposites.
 fn a_same_direction_pair_is_refused_or_held<M: FromFaces + Adjacency>(backend: &str) {
     let faces = [[0, 1, 2], [0, 1, 3]];
     if !holds(backend, "same_direction") {
@@ -154,12 +163,12 @@ fn a_same_direction_pair_is_refused_or_held<M: FromFaces + Adjacency>(backend: &
     }
 }
 
-/// f. `orient()` reaches only the component of face 0. One face of each of three components is turned over here.
+/// CHE: `orient()` reaches only the component of face 0. One face of each of three components is turned over here.
 fn every_component_is_oriented<M: FromFaces + Adjacency>() {
     let mut faces = Vec::new();
     for first in [0, 4, 8] {
-        let tetrahedron = [[0, 1, 3], [1, 2, 3], [1, 0, 2], [2, 3, 0]];
-        faces.extend(tetrahedron.map(|f: [u32; 3]| f.map(|v| v + first)));
+        faces.extend(shapes::TETRAHEDRON.map(|f| f.map(|v| v + first)));
+        faces.last_mut().unwrap().swap(0, 1);
     }
     let repaired = repair::repair(12, &faces, &Default::default()).unwrap();
     assert_eq!(
@@ -170,7 +179,7 @@ fn every_component_is_oriented<M: FromFaces + Adjacency>() {
     assert!(mesh.half_edges().all(|h| mesh.opposite(h).is_some()));
 }
 
-/// g. Queries across an edge use the link of a boundary half-edge unguarded.
+/// CHE: queries across an edge use the link of a boundary half-edge unguarded.
 fn there_is_nothing_across_a_boundary<M: FromFaces + Adjacency>() {
     let mesh: M = build(&[[0, 1, 2]]);
     for h in mesh.half_edges() {
@@ -184,7 +193,7 @@ fn there_is_nothing_across_a_boundary<M: FromFaces + Adjacency>() {
     assert_eq!(wheel.opposite(spoke), Some(along(&wheel, 1, 0)));
 }
 
-/// g, for edges: one of a boundary has a name and two ends as well.
+/// The same for edges: one of a boundary has a name and two ends as well.
 fn a_boundary_edge_has_a_name<M: FromFaces + EdgeMap>() {
     let wheel: M = build(&WHEEL);
     assert_eq!(wheel.edge_count(), 12);
@@ -193,7 +202,7 @@ fn a_boundary_edge_has_a_name<M: FromFaces + EdgeMap>() {
     assert_eq!(wheel.edge_vertices(wheel.edge(rim)).map(Handle::index), [1, 2]);
 }
 
-/// TopTri takes every 3-cycle of its graph for a face. What is a `Topology` does not.
+/// TopTri (Figueiredo et al., 2014) takes every 3-cycle of its graph for a face. What is a `Topology` does not.
 fn faces_are_those_of_the_input<M: FromFaces + Topology>() {
     let bipyramid = [[0, 1, 3], [1, 2, 3], [2, 0, 3], [1, 0, 4], [2, 1, 4], [0, 2, 4]];
     assert_eq!(build::<M>(&bipyramid).to_faces(), bipyramid);
@@ -206,14 +215,11 @@ macro_rules! run {
     };
 }
 
-macro_rules! topology {
-    ($text:literal $mesh:ty) => {
+macro_rules! of_trait {
+    (topology $text:literal $mesh:ty) => {
         run! { $mesh: faces_are_those_of_the_input() }
     };
-}
-
-macro_rules! adjacency {
-    ($text:literal $mesh:ty) => {
+    (adjacency $text:literal $mesh:ty) => {
         run! { $mesh:
             all_curves_are_found()
             both_turns_see_every_face()
@@ -223,58 +229,22 @@ macro_rules! adjacency {
             there_is_nothing_across_a_boundary()
         }
     };
-}
-
-macro_rules! incidence {
-    ($text:literal $mesh:ty) => {
-        run! { $mesh:
-            a_turn_from_the_boundary_sees_the_whole_fan()
-            a_turn_is_about_its_own_vertex()
-        }
+    (incidence $text:literal $mesh:ty) => {
+        run! { $mesh: a_turn_from_the_boundary_sees_the_whole_fan() a_turn_is_about_its_own_vertex() }
     };
-}
-
-macro_rules! edge_map {
-    ($text:literal $mesh:ty) => {
+    (edge_map $text:literal $mesh:ty) => {
         run! { $mesh: a_boundary_edge_has_a_name() }
     };
-}
-
-macro_rules! boundaries {
-    ($text:literal $mesh:ty) => {
+    (boundaries $text:literal $mesh:ty) => {
         run! { $mesh: a_curve_starts_on_itself() }
     };
-}
-
-/// A graph has no faces to get wrong: its own test says how 3-cycles differ.
-macro_rules! graph {
-    ($text:literal $mesh:ty) => {};
+    // A graph has no faces to get wrong: its own test says how 3-cycles differ.
+    (graph $text:literal $mesh:ty) => {};
 }
 
 macro_rules! every_backend {
     ($($name:ident $text:literal $mesh:ty [$($has:ident)*] [$($holds:ident)*];)+) => {
-        $(mod $name { $($has! { $text $mesh })* })+
-
-        #[test]
-        fn bytes_are_not_those_of_a_list_that_grew() {
-            $(assert_eq!(build::<$mesh>(&OCTAHEDRON).heap_bytes(), octahedron_bytes::<$mesh>(), $text);)+
-        }
+        $(mod $name { $(of_trait! { $has $text $mesh })* })+
     };
 }
 with_backends!(every_backend);
-
-fn octahedron_bytes<M: Footprint>() -> usize {
-    M::BYTES.of(&footprint::Counts { vertices: 6, edges: 12, faces: 8, ..Default::default() })
-}
-
-/// The hash of the paper, `(10 v1 + v2) mod 3n`, has many collisions: it is there to compare with, on request.
-#[test]
-fn the_weak_hash_is_never_the_default() {
-    assert_eq!(Pairing::default(), Pairing::Auto);
-    let strip = |n: u32| (0..n).map(|i| [i, i + 1, i + 2]).collect::<Vec<_>>();
-    for (faces, spare) in [(1, 0), (10, 0), (1000, 0), (400_000, 0), (10, 1 << 20), (1000, 1 << 20)] {
-        let faces = strip(faces);
-        let chosen = Pairing::choose(faces.len() + 2 + spare, &faces);
-        assert!(!matches!(chosen, Pairing::PaperHash | Pairing::Quadratic), "{chosen}");
-    }
-}

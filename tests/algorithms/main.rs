@@ -4,10 +4,12 @@
 
 mod checks;
 mod figures;
-#[path = "../common/obj.rs"]
-mod obj;
+#[path = "../common/real.rs"]
+mod meshes;
 mod real;
 mod samples;
+#[path = "../common/shapes.rs"]
+mod shapes;
 mod slow;
 
 macro_rules! each_trait {

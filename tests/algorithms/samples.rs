@@ -1,4 +1,5 @@
 //! Small meshes with figures counted by hand.
+use super::shapes::{MOEBIUS, Random, TETRAHEDRON, grid};
 use onering::FromFaces;
 
 /// A mesh, and what is known of it by construction.
@@ -36,8 +37,6 @@ fn sample(name: &str, is_clean: bool, isolated: usize, faces: &[[u32; 3]], known
     }
 }
 
-pub const TETRAHEDRON: [[u32; 3]; 4] = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
-const MOEBIUS: [[u32; 3]; 5] = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 0], [4, 0, 1]];
 const PROJECTIVE_PLANE: [[u32; 3]; 10] = [
     [0, 1, 2],
     [0, 2, 3],
@@ -54,30 +53,6 @@ const PROJECTIVE_PLANE: [[u32; 3]; 10] = [
 /// The torus of seven vertices.
 fn torus_7() -> Vec<[u32; 3]> {
     (0..7).flat_map(|i| [[0, 1, 3], [0, 3, 2]].map(|f| f.map(|k| (i + k) % 7))).collect()
-}
-
-/// How the sides of a grid of quads are joined.
-#[derive(Clone, Copy, PartialEq)]
-pub enum Sides {
-    Open,
-    Tube,
-    Torus,
-    Klein,
-}
-
-/// A grid of `n` x `m` quads, each two faces.
-pub fn grid(n: u32, m: u32, sides: Sides) -> Vec<[u32; 3]> {
-    let vertex = |i: u32, j: u32| {
-        let i = if sides == Sides::Klein && j == m { n - i % n } else { i };
-        let i = if sides == Sides::Open { i } else { i % n };
-        let j = if matches!(sides, Sides::Torus | Sides::Klein) { j % m } else { j };
-        i + (n + u32::from(sides == Sides::Open)) * j
-    };
-    let quad = |i, j| {
-        let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
-        [[a, b, c], [a, c, d]]
-    };
-    (0..m).flat_map(|j| (0..n).flat_map(move |i| quad(i, j))).collect()
 }
 
 /// The faces without those of these quads of a grid.
@@ -100,16 +75,16 @@ fn shifted(faces: &[[u32; 3]], by: u32) -> impl Iterator<Item = [u32; 3]> {
 
 fn clean() -> Vec<Sample> {
     let parts: Vec<_> = TETRAHEDRON.into_iter().chain(shifted(&torus_7(), 6)).chain([[14, 15, 16]]).collect();
-    let holes = without(grid(8, 7, Sides::Open), &[9, 12, 13, 30]);
-    let torus = grid(5, 4, Sides::Torus);
+    let holes = without(grid(7, 8, [false, false], false).1, &[9, 12, 13, 30]);
+    let torus = grid(4, 5, [true, true], false).1;
     vec![
         sample("nothing", true, 0, &[], (0, 0, Some(0), None)),
         sample("vertices alone", true, 3, &[], (0, 0, Some(0), None)),
         sample("triangle", true, 0, &[[0, 1, 2]], (1, 1, Some(1), Some(0))),
         sample("tetrahedron", true, 0, &TETRAHEDRON, (2, 1, Some(0), Some(0))),
         sample("pillow", true, 0, &[[0, 1, 2], [0, 2, 1]], (2, 1, Some(0), Some(0))),
-        sample("disc", true, 0, &grid(4, 3, Sides::Open), (1, 1, Some(1), Some(0))),
-        sample("tube", true, 2, &grid(5, 3, Sides::Tube), (0, 1, Some(2), Some(0))),
+        sample("disc", true, 0, &grid(3, 4, [false, false], false).1, (1, 1, Some(1), Some(0))),
+        sample("tube", true, 2, &grid(3, 5, [false, true], false).1, (0, 1, Some(2), Some(0))),
         sample("torus of seven", true, 0, &torus_7(), (0, 1, Some(0), Some(1))),
         sample("torus", true, 0, &torus, (0, 1, Some(0), Some(1))),
         sample("torus with two holes", true, 0, &without(torus.clone(), &[0, 12]), (-2, 1, Some(2), Some(1))),
@@ -120,20 +95,20 @@ fn clean() -> Vec<Sample> {
 }
 
 fn unclean() -> Vec<Sample> {
-    let mut turned = grid(5, 4, Sides::Torus);
+    let mut turned = grid(4, 5, [true, true], false).1;
     turned.iter_mut().step_by(3).for_each(|f| f.swap(1, 2));
     let hourglass: Vec<_> = TETRAHEDRON.into_iter().chain(shifted(&TETRAHEDRON, 3)).collect();
     let on_an_edge = |v: u32| [0, 1, 4, 5][v as usize];
     let two_on_an_edge: Vec<_> =
         TETRAHEDRON.into_iter().chain(TETRAHEDRON.map(|f| f.map(on_an_edge))).collect();
-    let pinched = without(grid(6, 6, Sides::Open), &[7, 14]);
+    let pinched = without(grid(6, 6, [false, false], false).1, &[7, 14]);
     let five = (2..7).map(|v| if v % 2 == 0 { [0, 1, v] } else { [1, 0, v] }).collect::<Vec<_>>();
     vec![
         sample("bowtie", false, 0, &[[0, 1, 2], [0, 3, 4]], (1, 2, Some(2), None)),
         sample("hourglass", false, 0, &hourglass, (3, 2, Some(0), None)),
         sample("holes that touch", false, 0, &pinched, (-1, 1, Some(2), None)),
         sample("moebius", false, 0, &MOEBIUS, (0, 1, Some(1), None)),
-        sample("klein", false, 0, &grid(5, 4, Sides::Klein), (0, 1, Some(0), None)),
+        sample("klein", false, 0, &grid(4, 5, [true, true], true).1, (0, 1, Some(0), None)),
         sample("projective plane", false, 0, &PROJECTIVE_PLANE, (1, 1, Some(0), None)),
         sample("torus turned in part", false, 0, &turned, (0, 1, Some(0), Some(1))),
         sample("two that disagree", false, 0, &[[0, 1, 2], [0, 1, 3]], (1, 1, Some(1), Some(0))),
@@ -146,11 +121,8 @@ fn unclean() -> Vec<Sample> {
 
 /// Triangles thrown at few vertices: every defect but a repeated vertex.
 fn soup(seed: u32) -> Sample {
-    let mut state = seed;
-    let mut random = |below: u32| {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        (state >> 16) % below
-    };
+    let mut random = Random(seed.into());
+    let mut random = |below: u32| random.below(below as usize) as u32;
     let vertex_count = 5 + random(20);
     let triangles = (0..4 + random(30)).map(|_| [(); 3].map(|()| random(vertex_count)));
     let faces = triangles.filter(|[a, b, c]| a != b && b != c && c != a).collect();

@@ -43,29 +43,3 @@ fn a_neighbour_that_fans_share_is_listed_once() {
     let many = build(100_002, &book(100_000));
     assert_eq!((many.neighbours(v(0)).count(), many.neighbours(v(5)).count()), (100_001, 2));
 }
-
-#[test]
-fn faces_that_disagree_are_held() {
-    for faces in [MOEBIUS, MOEBIUS_TWISTED] {
-        let mesh = build(5, &faces);
-        assert!(mesh.vertices().all(|v| mesh.neighbours(v).count() == 4));
-    }
-    let twice = build(3, &[[0, 1, 2], [1, 2, 0]]);
-    assert!(twice.vertices().all(|v| sorted(twice.neighbours(v)).len() == 2));
-}
-
-#[test]
-fn what_it_cannot_hold_is_named() {
-    let error = |faces: &[[u32; 3]]| AdjacencyGraph::from_faces(9, faces).err();
-    assert_eq!(error(&[[0, 1, 2], [1, 1, 2]]), Some(BuildError::DegenerateFace { face: 1, vertex: 1 }));
-    assert_eq!(
-        error(&[[0, 9, 2]]),
-        Some(BuildError::VertexOutOfRange { face: 0, vertex: 9, vertex_count: 9 })
-    );
-    assert!(AdjacencyGraph::from_faces(usize::MAX, &[]).is_err());
-}
-
-#[test]
-fn a_hub_is_linear() {
-    hub::<AdjacencyGraph>();
-}

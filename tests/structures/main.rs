@@ -1,18 +1,18 @@
 //! What is particular to each hand-written backend. The laws that all backends obey are elsewhere.
 mod adjacency_graph;
-mod half_edge;
 mod mate_face;
 mod meshes;
-mod soups;
+#[path = "../common/random.rs"]
+mod random;
 mod vertex_graph;
 mod winged_edge;
 
 use onering::*;
 
 #[test]
-fn backends_can_be_shared_cloned_and_printed() {
-    fn print<M: FromFaces + Clone + std::fmt::Debug + Send + Sync + 'static>() -> String {
-        format!("{:?}", M::from_faces(4, &meshes::TETRAHEDRON).unwrap().clone())
+fn backends_are_printed_by_their_counts() {
+    fn print<M: FromFaces + std::fmt::Debug>() -> String {
+        format!("{:?}", M::from_faces(4, &meshes::TETRAHEDRON).unwrap())
     }
     assert_eq!(print::<MateFace>(), "MateFace { vertices: 4, faces: 4 }");
     assert_eq!(print::<HalfEdgeMesh>(), "HalfEdgeMesh { vertices: 4, faces: 4 }");

@@ -1,6 +1,8 @@
 //! Mate-Face, with hand-counted expectations.
 use crate::meshes::*;
+use crate::random::lists;
 use onering::*;
+use proptest::prelude::*;
 
 fn build(vertex_count: usize, faces: &[[u32; 3]]) -> MateFace {
     let mesh = MateFace::from_faces(vertex_count, faces).unwrap();
@@ -29,15 +31,6 @@ fn mates_are_across_the_side_opposite_a_vertex() {
 }
 
 #[test]
-fn algorithm_1_ends_at_a_boundary_with_one_neighbour_more_than_faces() {
-    // Vertex 0 in a half wheel, listed so that no face is next to the one before.
-    let mesh = build(6, &[[0, 3, 4], [0, 1, 2], [0, 4, 5], [0, 2, 3]]);
-    assert_eq!(indices(mesh.one_ring(v(0))), [1, 2, 3, 4, 5]);
-    assert_eq!(indices(mesh.star(v(0))), [3, 9, 0, 6]);
-    assert_eq!(mesh.opposite(mesh.outgoing(v(0)).unwrap()), None);
-}
-
-#[test]
 fn a_closed_ring_is_counter_clockwise() {
     let mesh = build(7, &wheel(6));
     assert_eq!(indices(mesh.one_ring(v(0))), [2, 3, 4, 5, 6, 1]);
@@ -63,7 +56,8 @@ fn moebius_strip() {
 
 #[test]
 fn klein_bottle_has_one_closed_fan_at_each_vertex() {
-    let mesh = build(16, &klein_bottle());
+    let (vertices, faces) = grid(4, 4, [true, true], true);
+    let mesh = build(vertices, &faces);
     assert!((0..16).all(|i| counts(&mesh, i) == [1, 6, 6, 6]));
     assert!(mesh.half_edges().all(|h| !mesh.is_boundary(h) && mesh.edge_fan(h).count() == 2));
     assert!(mesh.half_edges().any(|h| mesh.opposite(h).is_none()));
@@ -120,31 +114,7 @@ fn two_faces_can_be_mates_on_all_sides() {
 }
 
 #[test]
-fn isolated_vertices_have_nothing() {
-    let mesh = build(9, &[[3, 5, 7]]);
-    assert_eq!((counts(&mesh, 0), mesh.outgoing(v(8))), ([0; 4], None));
-    assert_eq!(counts(&mesh, 5), [1, 1, 2, 2]);
-    assert_eq!(build(0, &[]).heap_bytes(), 0);
-}
-
-#[test]
-fn what_it_cannot_hold_is_named() {
-    let error = |faces: &[[u32; 3]]| MateFace::from_faces(9, faces).err();
-    assert_eq!(error(&[[0, 1, 2], [1, 1, 2]]), Some(BuildError::DegenerateFace { face: 1, vertex: 1 }));
-    let three = BuildError::NonManifoldEdge { vertices: [0, 1], faces: 3, face: 2 };
-    assert_eq!(error(&book(3)), Some(three));
-    let same = error(&[[0, 1, 2], [0, 1, 3], [0, 1, 4]]);
-    assert!(matches!(same, Some(BuildError::NonManifoldEdge { vertices: [0, 1], faces: 3, .. })));
-    assert_eq!(
-        error(&[[0, 9, 2]]),
-        Some(BuildError::VertexOutOfRange { face: 0, vertex: 9, vertex_count: 9 })
-    );
-    assert!(MateFace::from_faces(usize::MAX, &[]).is_err());
-}
-
-#[test]
-fn a_hub_is_linear() {
-    hub::<MateFace>();
+fn a_hub_of_faces_that_disagree_is_linear() {
     // Half of the faces flipped: no walk by opposites would get round.
     let n = 100_000;
     let mut faces = shuffled(wheel(n as u32));
@@ -160,4 +130,25 @@ fn many_fans_at_one_vertex_are_linear() {
     let mesh = MateFace::from_face_vec(2 * n + 1, shuffled(faces)).unwrap();
     assert_eq!(counts(&mesh, 0), [n, n, 2, 2 * n]);
     assert_eq!(mesh.heap_bytes(), 24 * n + 4 * (2 * n + 1) + 4 * (n + 1));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Fans go on across edges of two faces that disagree, and those that end at a boundary come first.
+    #[test]
+    fn open_fans_come_first((n, faces) in lists()) {
+        let Ok(mesh) = MateFace::from_faces(n, &faces) else { return Ok(()) };
+        for v in mesh.vertices() {
+            let starts: Vec<_> = mesh.fans(v).collect();
+            let mut open = Vec::new();
+            for h in mesh.star(v) {
+                if starts.get(open.len()) == Some(&h) {
+                    open.push(false);
+                }
+                *open.last_mut().unwrap() |= mesh.is_boundary(h) || mesh.is_boundary(mesh.prev(h));
+            }
+            prop_assert!(open.is_sorted_by(|a, b| a >= b), "{v:?} of {faces:?}: {open:?}");
+        }
+    }
 }

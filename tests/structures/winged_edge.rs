@@ -42,34 +42,8 @@ fn edges_are_the_handles_halved() {
 }
 
 #[test]
-fn an_open_fan_starts_at_its_clockwise_end() {
-    let mesh = WingedEdge::from_faces(6, &[[0, 3, 4], [0, 1, 2], [0, 4, 5], [0, 2, 3]]).unwrap();
-    assert_eq!(indices(mesh.one_ring(v(0))), [1, 2, 3, 4, 5]);
-    assert_eq!(indices(mesh.star(v(0)).map(|h| mesh.face(h))), [1, 3, 0, 2]);
-    assert_eq!(mesh.opposite(mesh.outgoing(v(0)).unwrap()), None);
-}
-
-#[test]
-fn a_pillow_has_two_sides() {
-    let mesh = WingedEdge::from_faces(4, &[[0, 1, 2], [0, 2, 1]]).unwrap();
-    assert_eq!(mesh.to_faces(), [[0, 1, 2], [0, 2, 1]]);
-    assert_eq!((mesh.edge_count(), sorted(mesh.half_edges())), (3, vec![0, 1, 2, 3, 4, 5]));
-    assert_eq!((mesh.one_ring(v(0)).count(), mesh.outgoing(v(3))), (2, None));
-}
-
-#[test]
 #[should_panic(expected = "no face")]
 fn a_gap_is_no_half_edge() {
     let mesh = WingedEdge::from_faces(4, &STRIP).unwrap();
     mesh.next(h(1));
-}
-
-#[test]
-fn everything_else_is_refused() {
-    refuses_all::<WingedEdge>();
-}
-
-#[test]
-fn a_hub_is_linear() {
-    hub::<WingedEdge>();
 }

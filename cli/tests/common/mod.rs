@@ -1,5 +1,5 @@
 //! Runs the binary, and finds the real files.
-#![allow(dead_code)]
+#![allow(dead_code, reason = "each test uses a part of it")]
 
 use serde_json::Value;
 use std::ffi::OsStr;

@@ -1,29 +1,13 @@
 //! Small meshes whose figures are known by hand, from the literature or by formula.
 
 pub(crate) mod random;
+#[path = "../../../tests/common/shapes.rs"]
+mod shapes;
+
+pub(crate) use shapes::{TETRAHEDRON, grid};
 
 /// Name, vertex count, faces and the figures it must have.
 pub(crate) type Case = (&'static str, usize, Vec<[u32; 3]>, &'static str);
-
-pub(crate) const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]];
-
-/// `n` by `m` quads, each as two triangles; wrapping makes it a cylinder or torus, and `flip` turns the seam
-/// of the first direction round: a Moebius strip or Klein bottle.
-pub(crate) fn grid(n: u32, m: u32, wrap: [bool; 2], flip: bool) -> (usize, Vec<[u32; 3]>) {
-    let rows = if wrap[0] { n } else { n + 1 };
-    let columns = if wrap[1] { m } else { m + 1 };
-    let vertex = |i: u32, j: u32| match wrap[0] && i == n {
-        true if flip => (m - j) % columns,
-        true => j % columns,
-        false => i * columns + j % columns,
-    };
-    let quad = |i, j| {
-        let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
-        [[a, b, c], [a, c, d]]
-    };
-    let quads = (0..n).flat_map(|i| (0..m).map(move |j| (i, j)));
-    ((rows * columns) as usize, quads.flat_map(|(i, j)| quad(i, j)).collect())
-}
 
 /// The tetrahedron and a second one, where `second` gives the vertices of its corners.
 fn two_tetrahedra(second: [u32; 4]) -> Vec<[u32; 3]> {
@@ -41,7 +25,7 @@ pub(crate) fn corpus() -> Vec<Case> {
 fn pieces() -> Vec<Case> {
     let tetrahedron = || TETRAHEDRON.to_vec();
     let mut flipped = tetrahedron();
-    flipped[0] = [0, 1, 2];
+    flipped[0].swap(1, 2);
     vec![
         (
             "empty",

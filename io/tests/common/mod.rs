@@ -1,5 +1,5 @@
 //! Where the real files are, and what their manifest says.
-#![allow(dead_code)]
+#![allow(dead_code, reason = "each test uses a part of it")]
 
 use std::path::{Path, PathBuf};
 

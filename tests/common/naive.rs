@@ -1,12 +1,18 @@
 //! Pairing by the definition, written apart from the library: compares each half-edge with every other.
+use onering::BuildError;
 use onering::conformance::Flaw;
-use onering::{BuildError, corner};
 
 /// What there is to know of a face list.
 pub(crate) struct Naive {
     pub(crate) opposite: Vec<Option<usize>>,
     /// The half-edges of each irregular edge, ascending; by the first.
     pub(crate) irregular: Vec<Vec<usize>>,
+}
+
+/// The vertex that half-edge `h` starts from, and the one that it leads to.
+fn ends(faces: &[[u32; 3]], h: usize) -> (u32, u32) {
+    let face = faces[h / 3];
+    (face[h % 3], face[[1, 2, 0][h % 3]])
 }
 
 /// The first face that is no triangle over `vertices`; a backend that holds degenerate ones looks for vertices out
@@ -29,7 +35,7 @@ pub(crate) fn face_error(vertices: usize, faces: &[[u32; 3]], holds: &[Flaw]) ->
 impl Naive {
     /// Pairs faces that name vertices in range.
     pub(crate) fn of(faces: &[[u32; 3]]) -> Self {
-        let ends = |h| (corner::origin(faces, h), corner::target(faces, h));
+        let ends = |h| ends(faces, h);
         let count = 3 * faces.len();
         let mut naive = Naive { opposite: vec![None; count], irregular: Vec::new() };
         for h in 0..count {
@@ -59,6 +65,25 @@ impl Naive {
         error
     }
 
+    /// The half-edges out of each vertex, fan after fan and counter-clockwise, each fan from its most clockwise
+    /// half-edge, or where it is closed its lowest: the open ones in the order of their starts, then the closed ones.
+    pub(crate) fn fans(&self, vertices: usize, faces: &[[u32; 3]]) -> Vec<Vec<Vec<usize>>> {
+        let ccw = |h: &usize| self.opposite[h - h % 3 + [2, 0, 1][h % 3]];
+        let from = |start| std::iter::successors(Some(start), ccw).take(3 * faces.len());
+        let fan = |start: usize| match from(start).skip(1).position(|h| h == start) {
+            Some(turns) => from(start).take(turns + 1).collect(),
+            None => from(start).collect::<Vec<_>>(),
+        };
+        let of_vertex = |v: usize| {
+            let out: Vec<usize> = (0..3 * faces.len()).filter(|&h| ends(faces, h).0 as usize == v).collect();
+            let is_closed = |h: usize| from(h).skip(1).any(|g| g == h);
+            let open = out.iter().copied().filter(|&h| self.opposite[h].is_none());
+            let closed = out.iter().copied().filter(|&h| is_closed(h) && fan(h).iter().all(|&g| g >= h));
+            open.chain(closed).map(fan).collect()
+        };
+        (0..vertices).map(of_vertex).collect()
+    }
+
     /// The lowest vertex of several fans: groups of its half-edges that opposites connect.
     pub(crate) fn vertex_error(
         &self,
@@ -79,7 +104,7 @@ impl Naive {
                 (group[h], group[beyond]) = (least, least);
             }
         }
-        let leads = |v| (0..group.len()).filter(move |&h| corner::origin(faces, h) as usize == v);
+        let leads = |v| (0..group.len()).filter(move |&h| ends(faces, h).0 as usize == v);
         let fans = |v| leads(v).filter(|&h| group[h] == h).count();
         let vertex = (0..vertices).find(|&v| fans(v) > 1)?;
         Some(BuildError::SeveralFans { vertex, fans: fans(vertex) })
@@ -87,7 +112,7 @@ impl Naive {
 }
 
 fn edge_error(faces: &[[u32; 3]], edge: &[usize]) -> BuildError {
-    let (a, b) = (corner::origin(faces, edge[0]), corner::target(faces, edge[0]));
+    let (a, b) = ends(faces, edge[0]);
     if let [first, second] = *edge {
         return BuildError::SameDirection { vertices: [a, b], faces: [first / 3, second / 3] };
     }
