@@ -107,7 +107,7 @@ impl Naive {
         let leads = |v| (0..group.len()).filter(move |&h| ends(faces, h).0 as usize == v);
         let fans = |v| leads(v).filter(|&h| group[h] == h).count();
         let vertex = (0..vertices).find(|&v| fans(v) > 1)?;
-        Some(BuildError::SeveralFans { vertex, fans: fans(vertex) })
+        Some(BuildError::SeveralFans { vertex: vertex as u32, fans: fans(vertex) })
     }
 }
 

@@ -111,7 +111,7 @@ fn faces() -> Vec<Case> {
 }
 
 impl Case {
-    fn several_fans(self, vertex: usize, fans: usize) -> Self {
+    fn several_fans(self, vertex: u32, fans: usize) -> Self {
         self.with(Flaw::SeveralFans, BuildError::SeveralFans { vertex, fans })
     }
 
