@@ -1,5 +1,5 @@
 //! Connected components of faces.
-use crate::{Adjacency, Handle, Map, Topology, disjoint_sets::DisjointSets, edges};
+use crate::{Adjacency, Handle, Map, Slot, Topology, disjoint_sets::DisjointSets, edges};
 use alloc::{vec, vec::Vec};
 
 /// A partition of the faces: what [`components`] and [`components_by_vertex`] give. Components are numbered
@@ -57,12 +57,16 @@ impl<F: Handle> Components<F> {
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
 pub fn components<M: Adjacency + ?Sized>(mesh: &M) -> Components<M::Face> {
+    joined_by(mesh, edges::each(mesh).flat_map(|h| mesh.edge_fan(h).skip(1).map(move |g| (h, g))))
+}
+
+/// The components where faces hang together by these couples of half-edges only.
+pub(crate) fn joined_by<M: Topology + ?Sized>(
+    mesh: &M,
+    couples: impl Iterator<Item = (M::HalfEdge, M::HalfEdge)>,
+) -> Components<M::Face> {
     let mut sets = DisjointSets::new(mesh.face_count());
-    for h in edges::each(mesh) {
-        for g in mesh.edge_fan(h).skip(1) {
-            sets.join(mesh.face(h), mesh.face(g));
-        }
-    }
+    couples.for_each(|(h, g)| sets.join(mesh.face(h), mesh.face(g)));
     Components::number(mesh.face_count(), |f| sets.least(f))
 }
 
@@ -83,7 +87,12 @@ pub fn components_by_vertex<M: Topology + ?Sized>(mesh: &M) -> Components<M::Fac
         sets.join(a, b);
         sets.join(a, c);
     }
-    let mut first: Map<M::Vertex, Option<M::Face>> = Map::filled(mesh.vertex_count(), None);
+    let mut first: Map<M::Vertex, Slot<M::Face>> = Map::filled(mesh.vertex_count(), Slot::NONE);
     let vertex = |f| mesh.origin(mesh.first(f));
-    Components::number(mesh.face_count(), |f| *first[sets.least(vertex(f))].get_or_insert(f))
+    Components::number(mesh.face_count(), |f| {
+        let first = &mut first[sets.least(vertex(f))];
+        let least = first.get().unwrap_or(f);
+        *first = Slot::some(least);
+        least
+    })
 }

@@ -8,16 +8,16 @@
 //! let bowtie = Defects::of(5, &[[0, 1, 2], [0, 3, 4]]);
 //! assert_eq!((bowtie.components, bowtie.components_by_vertex, bowtie.boundary_loops), (2, 1, Some(2)));
 //! assert_eq!(bowtie.lists.bowtie_vertices, [0]);
+//! assert_eq!(bowtie.degrees.iter().collect::<Vec<_>>(), [(2, 4), (4, 1)]);
 //! assert_eq!(bowtie.to_string(), "1 bowtie vertex");
 //! ```
 
 mod boundary;
 pub(crate) mod duplicates;
-pub(crate) mod edges;
-pub(crate) mod fans;
 mod figures;
 mod lists;
 pub(crate) mod patches;
+pub(crate) mod sheets;
 pub(crate) mod triangles;
 mod verdict;
 mod vertices;
@@ -27,12 +27,12 @@ pub use lists::DefectLists;
 pub use triangles::MAX_FACES;
 pub use verdict::Obstacle;
 
-use boundary::Boundary;
+use crate::degrees::Degrees;
+use crate::{HalfEdgeId, Map, Topology, components, euler, umbrella};
 use duplicates::Duplicates;
-use edges::EdgeTable;
-use fans::Fans;
 use lists::EdgeFaults;
-use patches::{Patches, components_by_vertex};
+use patches::Patches;
+use sheets::Sheets;
 use triangles::Triangles;
 use vertices::Vertices;
 
@@ -97,6 +97,8 @@ pub struct Defects {
     pub valence_max: usize,
     /// The most faces at a vertex.
     pub max_faces_per_vertex: usize,
+    /// How many vertices have how many edges; 0 stands for the isolated ones.
+    pub degrees: Degrees,
     /// The elements at fault, by name.
     pub lists: DefectLists,
 }
@@ -107,37 +109,39 @@ impl Defects {
     /// Near-linear time and linear memory in the faces, whatever the vertex count.
     ///
     /// # Panics
-    /// Only if there are more than [`MAX_FACES`] faces, a list of 17 GB.
+    /// Only if there are more than [`MAX_FACES`] faces, a list of 17 GB, or no memory.
     pub fn of(vertex_count: usize, faces: &[[u32; 3]]) -> Self {
         assert!(faces.len() <= MAX_FACES, "half-edges are numbered by u32");
-        let triangles = Triangles::sift(vertex_count, faces);
-        let edges = EdgeTable::of(&triangles);
+        let sheets = Sheets::join(Triangles::sift(vertex_count, faces)).expect("memory for the opposites");
         let mut defects = Self::default();
-        defects.add_duplicates(Duplicates::find(&edges, &triangles), &triangles);
-        defects.add_edges(&edges, EdgeFaults::of(&edges, &triangles));
-        let mut fans = Fans::of(&edges, &triangles);
-        defects.add_vertices(vertex_count, Vertices::of(&edges, &triangles, &mut fans), &triangles);
-        defects.add_boundary(Boundary::of(&edges, &triangles, &mut fans), triangles.count());
-        drop(fans);
-        defects.add_patches(Patches::of(&edges, &triangles), &triangles);
-        defects.add_genus(triangles.count());
-        defects.out_of_range_faces = triangles.out_of_range.len();
-        defects.degenerate_faces = triangles.degenerate.len();
-        defects.lists.out_of_range_faces = triangles.out_of_range;
-        defects.lists.degenerate_faces = triangles.degenerate;
+        defects.add_duplicates(&sheets);
+        defects.add_edges(&sheets);
+        let umbrella = umbrella::joined_by(&sheets, sheets.couples());
+        defects.add_vertices(vertex_count, Vertices::of(&sheets, &umbrella), &sheets);
+        defects.add_boundary(&sheets, &umbrella);
+        drop(umbrella);
+        defects.add_patches(&sheets);
+        defects.add_surface(&sheets);
+        let Triangles { out_of_range, degenerate, .. } = sheets.triangles;
+        defects.out_of_range_faces = out_of_range.len();
+        defects.degenerate_faces = degenerate.len();
+        defects.lists.out_of_range_faces = out_of_range;
+        defects.lists.degenerate_faces = degenerate;
         defects
     }
 
-    fn add_duplicates(&mut self, found: Duplicates, triangles: &Triangles) {
+    fn add_duplicates(&mut self, sheets: &Sheets) {
+        let found = Duplicates::find(sheets);
         self.duplicate_faces = found.copies.len();
         self.duplicate_faces_same_orientation = found.same_orientation;
-        self.lists.duplicate_faces = found.copies.iter().map(|&t| triangles.source[t as usize]).collect();
+        self.lists.duplicate_faces = sheets.triangles.sources(&found.copies);
     }
 
-    fn add_edges(&mut self, edges: &EdgeTable, faults: EdgeFaults) {
-        self.edges = edges.count();
-        self.boundary_edges = faults.boundary;
-        self.max_faces_per_edge = faults.max_faces;
+    fn add_edges(&mut self, sheets: &Sheets) {
+        let faults = EdgeFaults::of(sheets);
+        self.edges = sheets.edges().count();
+        self.boundary_edges = sheets.alone().count();
+        self.max_faces_per_edge = sheets.max_faces_per_edge();
         self.nonmanifold_edges = faults.nonmanifold.len();
         self.inconsistent_edges = faults.inconsistent.len();
         self.repeated_halfedges = faults.repeated.len();
@@ -146,43 +150,44 @@ impl Defects {
         self.lists.repeated_halfedges = faults.repeated;
     }
 
-    fn add_vertices(&mut self, vertex_count: usize, vertices: Vertices, triangles: &Triangles) {
-        self.isolated_vertices = vertex_count - vertices.used_count;
-        self.euler = vertices.used_count as i64 - self.edges as i64 + triangles.count() as i64;
-        self.components_by_vertex = components_by_vertex(triangles, vertices.used_count);
+    fn add_vertices(&mut self, vertex_count: usize, vertices: Vertices, sheets: &Sheets) {
+        let used = vertices.valence.as_slice().iter().filter(|&&n| n > 0);
+        let used_count = used.clone().count();
+        self.isolated_vertices = vertex_count - used_count;
+        self.euler = used_count as i64 - self.edges as i64 + sheets.face_count() as i64;
         self.bowtie_vertices = vertices.bowties.len();
         self.nonmanifold_vertices = vertices.nonmanifold.len();
         self.manifold = vertices.nonmanifold.is_empty();
-        self.valence_min = vertices.valence_min;
-        self.valence_max = vertices.valence_max;
+        self.degrees = Degrees::of(self.isolated_vertices, used.map(|&n| n as usize));
+        self.valence_min = self.degrees.min().unwrap_or(0);
+        self.valence_max = self.degrees.max().unwrap_or(0);
         self.max_faces_per_vertex = vertices.max_faces;
-        self.lists.isolated_vertices = triangles.unused(vertex_count, &vertices.used);
+        self.lists.isolated_vertices = sheets.triangles.unused(vertex_count, |v| vertices.valence[v] > 0);
         self.lists.bowtie_vertices = vertices.bowties;
         self.lists.nonmanifold_vertices = vertices.nonmanifold;
     }
 
-    fn add_boundary(&mut self, boundary: Boundary, triangles: usize) {
-        self.boundary_components = boundary.components;
-        self.boundary_loops = boundary.loops;
-        self.closed = self.boundary_edges == 0 && triangles > 0;
+    fn add_boundary(&mut self, sheets: &Sheets, umbrella: &Map<HalfEdgeId, HalfEdgeId>) {
+        self.boundary_components = boundary::components(sheets);
+        self.boundary_loops = boundary::loops(sheets, umbrella);
+        self.closed = self.boundary_edges == 0 && sheets.face_count() > 0;
     }
 
-    fn add_patches(&mut self, patches: Patches, triangles: &Triangles) {
-        self.components = patches.components;
+    fn add_patches(&mut self, sheets: &Sheets) {
+        let patches = Patches::of(sheets);
         self.patches = patches.count;
         self.min_flips = patches.min_flips;
         self.nonorientable_patches = patches.nonorientable.len();
         self.orientable = patches.nonorientable.is_empty();
-        let first_faces = patches.nonorientable.iter().map(|&t| triangles.source[t as usize]);
-        self.lists.nonorientable_patches = first_faces.collect();
+        self.lists.nonorientable_patches = sheets.triangles.sources(&patches.nonorientable);
     }
 
-    /// From 2 - 2g = V - E + F + boundary loops, summed over the components.
-    fn add_genus(&mut self, triangles: usize) {
-        if self.manifold && self.orientable && triangles > 0 {
-            let loops = self.boundary_loops.map(|n| n as i64);
-            let twice = loops.map(|loops| 2 * self.components as i64 - loops - self.euler);
-            self.genus = twice.and_then(|g| usize::try_from(g / 2).ok());
+    fn add_surface(&mut self, sheets: &Sheets) {
+        self.components = components::joined_by(sheets, sheets.couples()).count();
+        self.components_by_vertex = components::components_by_vertex(sheets).count();
+        if self.manifold && self.orientable && sheets.face_count() > 0 {
+            let genus = |loops| euler::genus_of(self.components, loops, self.euler as isize);
+            self.genus = self.boundary_loops.and_then(genus);
         }
     }
 }

@@ -19,6 +19,24 @@ impl Degrees {
         self.counts.get(degree).copied().unwrap_or(0)
     }
 
+    /// Counts vertices by their degrees, and so many isolated ones beside.
+    pub(crate) fn of(isolated: usize, degrees: impl Iterator<Item = usize>) -> Self {
+        let mut counts = Vec::from_iter((isolated > 0).then_some(isolated));
+        for degree in degrees {
+            if counts.len() <= degree {
+                counts.resize(degree + 1, 0);
+            }
+            counts[degree] += 1;
+        }
+        Self { counts }
+    }
+
+    /// Every degree that some vertex has, ascending, with the number of such vertices; 0 stands for the
+    /// isolated ones.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.counts.iter().copied().enumerate().filter(|&(_, n)| n > 0)
+    }
+
     /// Number of vertices that have neighbours.
     pub fn used(&self) -> usize {
         self.counts.iter().skip(1).sum()
@@ -79,13 +97,5 @@ impl fmt::Display for Degrees {
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
 pub fn degrees<G: Neighbours + ?Sized>(graph: &G) -> Degrees {
-    let mut counts = Vec::new();
-    for v in (0..graph.node_count()).map(G::Node::new) {
-        let degree = graph.neighbours(v).count();
-        if counts.len() <= degree {
-            counts.resize(degree + 1, 0);
-        }
-        counts[degree] += 1;
-    }
-    Degrees { counts }
+    Degrees::of(0, (0..graph.node_count()).map(|v| graph.neighbours(G::Node::new(v)).count()))
 }

@@ -49,7 +49,13 @@ pub fn genus<M: Adjacency + ?Sized>(mesh: &M) -> Option<usize> {
     if mesh.face_count() == 0 || !umbrella::is_manifold(mesh) || !orientation::is_orientable(mesh) {
         return None;
     }
-    let components = components::components(mesh).count() as isize;
-    let twice = 2 * components - boundary::loops(mesh)? as isize - euler_characteristic(mesh);
+    let components = components::components(mesh).count();
+    genus_of(components, boundary::loops(mesh)?, euler_characteristic(mesh))
+}
+
+/// The genus of an orientable surface by its figures, from 2 - 2g = V - E + F + boundary loops, summed over the
+/// components.
+pub(crate) fn genus_of(components: usize, loops: usize, euler_characteristic: isize) -> Option<usize> {
+    let twice = 2 * components as isize - loops as isize - euler_characteristic;
     usize::try_from(twice / 2).ok()
 }

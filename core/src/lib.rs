@@ -46,7 +46,6 @@ pub mod repair;
 pub mod ring;
 pub mod star;
 pub mod umbrella;
-pub mod union_find;
 
 mod adjacency;
 mod boundaries;

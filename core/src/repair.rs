@@ -24,10 +24,10 @@ pub use weld::{Welded, weld};
 
 use crate::defects::MAX_FACES;
 use crate::defects::duplicates::Duplicates;
-use crate::defects::edges::EdgeTable;
+use crate::defects::sheets::Sheets;
 use crate::defects::triangles::Triangles;
 use crate::pairing::check_counts;
-use crate::{BuildError, memory};
+use crate::{BuildError, HalfEdgeId, Topology, memory};
 use alloc::borrow::Cow;
 use alloc::vec::Vec;
 use cut::Cut;
@@ -67,24 +67,24 @@ pub fn repair(
     let source = welded.as_ref().map(|welded| &welded.source[..]);
     let count = source.map_or(vertex_count, <[u32]>::len);
     let triangles = Triangles::sift(count, &welded_faces(faces, welded.as_ref()));
-    let (triangles, edges, duplicate) = without_duplicates(triangles);
-    let orientation = Orientation::of(&edges, &triangles);
-    let cut = Cut::of(&edges, &triangles, &orientation);
+    let (sheets, duplicate) = without_duplicates(Sheets::join(triangles)?)?;
+    let orientation = Orientation::of(&sheets);
+    let cut = Cut::of(&sheets, &orientation);
     let vertex_source = vertex_source(count, source, &cut.copied)?;
     Ok(Repaired {
         vertex_count: vertex_source.len(),
         vertex_source,
-        faces: oriented_faces(&triangles, &orientation, &cut, count as u32),
-        flipped: flipped(&triangles, &orientation),
+        faces: oriented_faces(&sheets, &orientation, &cut, count as u32),
+        flipped: sheets.triangles.sources(&orientation.flipped().collect::<Vec<_>>()),
         vertices_welded: vertex_count - count,
         edges_cut: cut.edges_cut,
         seam_edges: orientation.seam_edges,
         vertices_cut: cut.vertices_cut,
         vertices_added: cut.copied.len(),
-        face_source: triangles.source,
+        face_source: sheets.triangles.source,
         dropped: Dropped {
-            out_of_range: triangles.out_of_range,
-            degenerate: triangles.degenerate,
+            out_of_range: sheets.triangles.out_of_range,
+            degenerate: sheets.triangles.degenerate,
             duplicate,
         },
     })
@@ -106,17 +106,14 @@ fn welded_faces<'a>(faces: &'a [[u32; 3]], welded: Option<&Welded>) -> Cow<'a, [
     faces.iter().map(|face| face.map(new)).collect::<Vec<_>>().into()
 }
 
-/// The triangles without copies, their edges, and the faces that were copies.
-fn without_duplicates(triangles: Triangles) -> (Triangles, EdgeTable, Vec<u32>) {
-    let edges = EdgeTable::of(&triangles);
-    let copies = Duplicates::find(&edges, &triangles).copies;
+/// The triangles without copies, and the faces that were copies.
+fn without_duplicates(sheets: Sheets) -> Result<(Sheets, Vec<u32>), BuildError> {
+    let copies = Duplicates::find(&sheets).copies;
     if copies.is_empty() {
-        return (triangles, edges, copies);
+        return Ok((sheets, Vec::new()));
     }
-    let faces = copies.iter().map(|&t| triangles.source[t as usize]).collect();
-    let triangles = triangles.without(&copies);
-    let edges = EdgeTable::of(&triangles);
-    (triangles, edges, faces)
+    let faces = sheets.triangles.sources(&copies);
+    Ok((Sheets::join(sheets.into_triangles().without(&copies))?, faces))
 }
 
 /// The map back, checked before memory is taken: it is all here that grows with the vertices alone.
@@ -134,20 +131,8 @@ fn vertex_source(count: usize, welded: Option<&[u32]>, copied: &[u32]) -> Result
     Ok(source)
 }
 
-fn oriented_faces(
-    triangles: &Triangles,
-    orientation: &Orientation,
-    cut: &Cut,
-    vertex_count: u32,
-) -> Vec<[u32; 3]> {
-    let face = |(t, &flip): (u32, &bool)| {
-        let [a, b, c] = [0, 1, 2].map(|k| cut.vertex(triangles, 3 * t + k, vertex_count));
-        if flip { [a, c, b] } else { [a, b, c] }
-    };
-    (0..).zip(&orientation.flip).map(face).collect()
-}
-
-fn flipped(triangles: &Triangles, orientation: &Orientation) -> Vec<u32> {
-    let flips = triangles.source.iter().zip(&orientation.flip).filter(|&(_, &flip)| flip);
-    flips.map(|(&face, _)| face).collect()
+fn oriented_faces(sheets: &Sheets, orientation: &Orientation, cut: &Cut, vertex_count: u32) -> Vec<[u32; 3]> {
+    let vertices = |f| sheets.face_half_edges(f).map(|h: HalfEdgeId| cut.vertex(sheets, h, vertex_count));
+    let turned = |[a, b, c]: [u32; 3], flip| if flip { [a, c, b] } else { [a, b, c] };
+    sheets.faces().map(|f| turned(vertices(f), orientation.flip[f])).collect()
 }

@@ -19,17 +19,27 @@ use crate::{Adjacency, Map, Topology, disjoint_sets::DisjointSets, edges};
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
 pub fn umbrellas<M: Adjacency + ?Sized>(mesh: &M) -> Map<M::HalfEdge, M::HalfEdge> {
+    joined_by(mesh, edges::each(mesh).flat_map(|h| mesh.edge_fan(h).skip(1).map(move |g| (h, g))))
+}
+
+/// The umbrellas where faces hang together by these couples of half-edges only, each along one edge.
+pub(crate) fn joined_by<M: Topology + ?Sized>(
+    mesh: &M,
+    couples: impl Iterator<Item = (M::HalfEdge, M::HalfEdge)>,
+) -> Map<M::HalfEdge, M::HalfEdge> {
     let mut sets = DisjointSets::new(mesh.half_edge_bound());
-    for h in edges::each(mesh) {
-        for g in mesh.edge_fan(h).skip(1) {
-            let (h_end, g_end) = (mesh.next(h), mesh.next(g));
-            let same_direction = mesh.origin(h) == mesh.origin(g);
-            let (at_origin, at_target) = if same_direction { (g, g_end) } else { (g_end, g) };
-            sets.join(h, at_origin);
-            sets.join(h_end, at_target);
-        }
-    }
-    Map::from_fn(mesh.half_edge_bound(), |h| sets.least(h))
+    couples.for_each(|(h, g)| {
+        let [at_origin, at_target] = facing(mesh, h, g);
+        sets.join(h, at_origin);
+        sets.join(mesh.next(h), at_target);
+    });
+    sets.into_least()
+}
+
+/// The half-edges of the face of `g` from the origin and from the target of `h`, which lies along the same edge.
+#[inline]
+pub(crate) fn facing<M: Topology + ?Sized>(mesh: &M, h: M::HalfEdge, g: M::HalfEdge) -> [M::HalfEdge; 2] {
+    if mesh.origin(h) == mesh.origin(g) { [g, mesh.next(g)] } else { [mesh.next(g), g] }
 }
 
 /// Whether the mesh is a surface, with boundary or without: no edge has three or more faces, and the faces of

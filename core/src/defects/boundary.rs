@@ -1,53 +1,36 @@
-//! The edges of one triangle, and how they close up.
+//! How the edges of one triangle hang together.
 
-use super::edges::EdgeTable;
-use super::fans::Fans;
-use super::triangles::{Triangles, next};
-use crate::union_find::UnionFind;
-use alloc::vec;
+use super::sheets::Sheets;
+use crate::disjoint_sets::DisjointSets;
+use crate::{EdgeId, HalfEdgeId, Handle, Map, Topology};
 use alloc::vec::Vec;
 
-/// How the boundary edges hang together.
-pub(crate) struct Boundary {
-    /// Components of the graph of the boundary edges.
-    pub(crate) components: usize,
-    /// Cycles, where a boundary passes through a bowtie once for each fan; `None` where a fan has other than
-    /// 0 or 2 boundary edges.
-    pub(crate) loops: Option<usize>,
-}
-
-impl Boundary {
-    /// O(vertices + boundary log boundary).
-    pub(crate) fn of(edges: &EdgeTable, triangles: &Triangles, fans: &mut Fans) -> Self {
-        let sides = edges.iter(triangles).filter(|edge| edge.sides.len() == 1).map(|edge| edge.sides[0]);
-        let sides: Vec<u32> = sides.collect();
-        Self { components: components(&sides, triangles), loops: loops(&sides, fans) }
+/// Components of the graph of the boundary edges. O(vertices + boundary).
+pub(crate) fn components(sheets: &Sheets) -> usize {
+    let mut graph = DisjointSets::new(sheets.vertex_count());
+    let mut touched = Map::filled(sheets.vertex_count(), false);
+    for h in sheets.alone() {
+        let ends = sheets.ends(h);
+        graph.join(ends[0], ends[1]);
+        ends.into_iter().for_each(|v| touched[v] = true);
     }
+    sheets.vertices().filter(|&v| touched[v] && graph.least(v) == v).count()
 }
 
-fn components(sides: &[u32], triangles: &Triangles) -> usize {
-    let mut graph = UnionFind::new(triangles.vertex_bound);
-    let mut touched = vec![false; triangles.vertex_bound];
-    for &h in sides {
-        let [a, b] = [h, next(h)].map(|corner| triangles.corners[corner as usize]);
-        graph.union(a, b);
-        touched[a as usize] = true;
-        touched[b as usize] = true;
-    }
-    (0..).zip(touched).filter(|&(slot, touched)| touched && graph.find(slot) == slot).count()
-}
-
-/// Two boundary edges that end in the same fan follow each other.
-fn loops(sides: &[u32], fans: &mut Fans) -> Option<usize> {
-    let mut ends = Vec::with_capacity(2 * sides.len());
-    for (i, &h) in (0..).zip(sides) {
-        ends.extend([(fans.first(h), i), (fans.first(next(h)), i)]);
+/// What [`boundary::loops`](crate::boundary::loops) gives, from umbrellas that are known already: that one would
+/// make them once more where faces disagree, and take 17 bytes for each half-edge. O(b log b) and 20 bytes each
+/// for b boundary edges.
+pub(crate) fn loops(sheets: &Sheets, umbrella: &Map<HalfEdgeId, HalfEdgeId>) -> Option<usize> {
+    let count = sheets.alone().count();
+    let mut ends = Vec::with_capacity(2 * count);
+    for (e, h) in (0..count).map(EdgeId::new).zip(sheets.alone()) {
+        ends.extend([(umbrella[h], e), (umbrella[sheets.next(h)], e)]);
     }
     ends.sort_unstable();
-    let mut curves = UnionFind::new(sides.len());
-    for fan in ends.chunk_by(|a, b| a.0 == b.0) {
-        let &[(_, a), (_, b)] = fan else { return None };
-        curves.union(a, b);
+    let mut curves = DisjointSets::new(count);
+    for two in ends.chunk_by(|a, b| a.0 == b.0) {
+        let &[(_, a), (_, b)] = two else { return None };
+        curves.join(a, b);
     }
-    Some(curves.set_count())
+    Some((0..count).map(EdgeId::new).filter(|&e| curves.least(e) == e).count())
 }

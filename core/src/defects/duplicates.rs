@@ -1,14 +1,14 @@
 //! Triangles with the same three vertices.
 
-use super::edges::{Edge, EdgeTable};
-use super::triangles::Triangles;
+use super::sheets::Sheets;
+use crate::{FaceId, HalfEdgeId, Topology, VertexId};
 use alloc::vec::Vec;
 use smallvec::SmallVec;
 
 /// The triangles whose vertex set an earlier one has.
 pub(crate) struct Duplicates {
-    /// Triangle numbers, rising.
-    pub(crate) copies: Vec<u32>,
+    /// Rising.
+    pub(crate) copies: Vec<FaceId>,
     /// How many of them repeat the cyclic order of an earlier one too.
     pub(crate) same_orientation: usize,
 }
@@ -16,30 +16,37 @@ pub(crate) struct Duplicates {
 impl Duplicates {
     /// Compares triangles at the edge of their two lowest vertices only, so each once. O(edges), and
     /// O(d log d) for an edge of d triangles.
-    pub(crate) fn find(edges: &EdgeTable, triangles: &Triangles) -> Self {
+    pub(crate) fn find(sheets: &Sheets) -> Self {
         let mut found = Self { copies: Vec::new(), same_orientation: 0 };
-        for edge in edges.iter(triangles).filter(|edge| edge.sides.len() > 1) {
-            found.compare_at(edge);
+        for (h, g) in sheets.paired().filter(|&(h, g)| apex(sheets, h) == apex(sheets, g)) {
+            found.compare_at(sheets, &[h, g]);
         }
+        sheets.irregular().for_each(|edge| found.compare_at(sheets, edge));
         found.copies.sort_unstable();
         found
     }
 
-    fn compare_at(&mut self, edge: Edge<'_>) {
-        let (_, higher) = edge.ends();
-        let above = edge.sides.iter().map(|&side| (edge.apex(side), side)).filter(|&(apex, _)| apex > higher);
-        let mut above: SmallVec<[(u32, u32); 4]> = above.collect();
+    fn compare_at(&mut self, sheets: &Sheets, edge: &[HalfEdgeId]) {
+        let [lower, higher] = sheets.ends(edge[0]);
+        let apices = edge.iter().map(|&h| (apex(sheets, h), h));
+        let mut above: SmallVec<[(VertexId, HalfEdgeId); 4]> = apices.filter(|&(a, _)| a > higher).collect();
         above.sort_unstable();
         for group in above.chunk_by(|a, b| a.0 == b.0) {
             let mut seen = [false; 2];
-            for &(_, side) in group {
+            for &(_, g) in group {
                 if seen != [false; 2] {
-                    self.copies.push(side / 3);
+                    self.copies.push(sheets.face(g));
                 }
-                let seen = &mut seen[usize::from(edge.rises(side))];
+                let seen = &mut seen[usize::from(sheets.origin(g) == lower)];
                 self.same_orientation += usize::from(*seen);
                 *seen = true;
             }
         }
     }
+}
+
+/// The vertex across from `h` in its triangle.
+#[inline]
+fn apex(sheets: &Sheets, h: HalfEdgeId) -> VertexId {
+    sheets.origin(sheets.prev(h))
 }

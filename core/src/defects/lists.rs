@@ -1,7 +1,7 @@
 //! The elements at fault, by name.
 
-use super::edges::EdgeTable;
-use super::triangles::Triangles;
+use super::sheets::Sheets;
+use crate::{HalfEdgeId, Topology};
 use alloc::vec::Vec;
 use core::ops::Range;
 
@@ -32,42 +32,32 @@ pub struct DefectLists {
     pub isolated_vertices: Vec<Range<usize>>,
 }
 
-/// The figures of the edges, and the ones at fault.
+/// The irregular edges, by what is wrong with them.
 #[derive(Default)]
 pub(crate) struct EdgeFaults {
-    pub(crate) boundary: usize,
-    pub(crate) max_faces: usize,
     pub(crate) nonmanifold: Vec<[u32; 2]>,
     pub(crate) inconsistent: Vec<[u32; 2]>,
     pub(crate) repeated: Vec<[u32; 2]>,
 }
 
 impl EdgeFaults {
-    /// O(half-edges).
-    pub(crate) fn of(edges: &EdgeTable, triangles: &Triangles) -> Self {
+    /// O(d log d) for d of them.
+    pub(crate) fn of(sheets: &Sheets) -> Self {
         let mut faults = Self::default();
-        for edge in edges.iter(triangles) {
-            let (a, b) = edge.ends();
-            let (a, b) = (triangles.vertex(a), triangles.vertex(b));
-            let count = edge.sides.len();
-            let rising = edge.sides.iter().filter(|&&side| edge.rises(side)).count();
-            faults.max_faces = faults.max_faces.max(count);
-            faults.boundary += usize::from(count == 1);
-            if count > 2 {
-                faults.nonmanifold.push([a, b]);
-            }
-            if count == 2 && rising != 1 {
-                faults.inconsistent.push([a, b]);
-            }
-            if rising > 1 {
-                faults.repeated.push([a, b]);
-            }
-            if count - rising > 1 {
-                faults.repeated.push([b, a]);
-            }
+        sheets.irregular().for_each(|edge| faults.add(sheets, edge));
+        for list in [&mut faults.nonmanifold, &mut faults.inconsistent, &mut faults.repeated] {
+            list.sort_unstable();
         }
-        // Falling ones came up beside the rising ones of their edge.
-        faults.repeated.sort_unstable();
         faults
+    }
+
+    fn add(&mut self, sheets: &Sheets, edge: &[HalfEdgeId]) {
+        let ends = sheets.ends(edge[0]);
+        let [a, b] = ends.map(|slot| sheets.triangles.vertex(slot));
+        let at_fault = if edge.len() > 2 { &mut self.nonmanifold } else { &mut self.inconsistent };
+        at_fault.push([a, b]);
+        let rising = edge.iter().filter(|&&h| sheets.origin(h) == ends[0]).count();
+        self.repeated.extend((rising > 1).then_some([a, b]));
+        self.repeated.extend((edge.len() - rising > 1).then_some([b, a]));
     }
 }

@@ -1,19 +1,20 @@
 //! The faces that the figures are about: those that name vertices of the mesh, three different ones.
 
+use crate::{FaceId, Handle, VertexId};
 use alloc::vec::Vec;
 use core::ops::Range;
 
 /// The most faces that a list may have, so that every half-edge has a `u32` number and one is left for "none".
 pub const MAX_FACES: usize = (u32::MAX as usize - 1) / 3;
 
-/// The proper triangles of a face list, as corners; what was left out is named.
+/// The proper triangles of a face list; what was left out is named.
 pub(crate) struct Triangles {
     pub(crate) out_of_range: Vec<u32>,
     pub(crate) degenerate: Vec<u32>,
     /// Which face of the list each triangle is.
     pub(crate) source: Vec<u32>,
-    /// Three for each triangle, as vertex slots: `0..vertex_bound`.
-    pub(crate) corners: Vec<u32>,
+    /// The triangles, over vertex slots: `0..vertex_bound`.
+    pub(crate) faces: Vec<[u32; 3]>,
     /// Arrays over the vertices need this length only; O(faces).
     pub(crate) vertex_bound: usize,
     /// The vertex of each slot, rising; `None` where a slot is a vertex.
@@ -33,7 +34,7 @@ impl Triangles {
                 sifted.degenerate.push(f);
             } else {
                 sifted.source.push(f);
-                sifted.corners.extend(face);
+                sifted.faces.push(*face);
             }
         }
         sifted.compact();
@@ -45,7 +46,7 @@ impl Triangles {
             out_of_range: Vec::new(),
             degenerate: Vec::new(),
             source: Vec::with_capacity(faces),
-            corners: Vec::with_capacity(3 * faces),
+            faces: Vec::with_capacity(faces),
             vertex_bound: 0,
             names: None,
         }
@@ -53,14 +54,15 @@ impl Triangles {
 
     /// Numbers the used vertices anew where arrays up to the greatest one would be out of proportion.
     fn compact(&mut self) {
-        self.vertex_bound = self.corners.iter().max().map_or(0, |&v| v as usize + 1);
-        if self.vertex_bound <= 2 * self.corners.len() {
+        let corners = self.faces.as_flattened_mut();
+        self.vertex_bound = corners.iter().max().map_or(0, |&v| v as usize + 1);
+        if self.vertex_bound <= 2 * corners.len() {
             return;
         }
-        let mut names = self.corners.clone();
+        let mut names = corners.to_vec();
         names.sort_unstable();
         names.dedup();
-        for v in &mut self.corners {
+        for v in corners {
             // Every corner is in the list that was made of the corners.
             *v = names.binary_search(v).unwrap_or_default() as u32;
         }
@@ -68,37 +70,37 @@ impl Triangles {
         self.names = Some(names);
     }
 
-    /// How many triangles there are.
-    pub(crate) fn count(&self) -> usize {
-        self.source.len()
-    }
-
     /// Keeps the triangles that are not in `gone` (rising triangle numbers), in order.
-    pub(crate) fn without(mut self, gone: &[u32]) -> Self {
+    pub(crate) fn without(mut self, gone: &[FaceId]) -> Self {
         let mut gone = gone.iter().peekable();
         let mut kept = 0;
-        for t in 0..self.count() {
-            if gone.next_if(|&&g| g as usize == t).is_none() {
+        for t in 0..self.faces.len() {
+            if gone.next_if(|&&g| g.index() == t).is_none() {
                 self.source[kept] = self.source[t];
-                self.corners.copy_within(3 * t..3 * t + 3, 3 * kept);
+                self.faces[kept] = self.faces[t];
                 kept += 1;
             }
         }
         self.source.truncate(kept);
-        self.corners.truncate(3 * kept);
+        self.faces.truncate(kept);
         self
     }
 
     /// The vertex that a slot stands for.
-    pub(crate) fn vertex(&self, slot: u32) -> u32 {
-        self.names.as_ref().map_or(slot, |names| names[slot as usize])
+    pub(crate) fn vertex(&self, slot: VertexId) -> u32 {
+        self.names.as_ref().map_or(slot.index() as u32, |names| names[slot.index()])
     }
 
-    /// The runs of vertices in `0..vertex_count` that no triangle uses. `used` is over the slots.
-    pub(crate) fn unused(&self, vertex_count: usize, used: &[bool]) -> Vec<Range<usize>> {
+    /// The faces of the list that these triangles are.
+    pub(crate) fn sources(&self, triangles: &[FaceId]) -> Vec<u32> {
+        triangles.iter().map(|t| self.source[t.index()]).collect()
+    }
+
+    /// The runs of vertices in `0..vertex_count` that no triangle uses.
+    pub(crate) fn unused(&self, vertex_count: usize, used: impl Fn(VertexId) -> bool) -> Vec<Range<usize>> {
         let mut runs = Vec::new();
         let mut next = 0;
-        for slot in (0..self.vertex_bound as u32).filter(|&s| used[s as usize]) {
+        for slot in (0..self.vertex_bound).map(VertexId::new).filter(|&slot| used(slot)) {
             let v = self.vertex(slot) as usize;
             if next < v {
                 runs.push(next..v);
@@ -110,10 +112,4 @@ impl Triangles {
         }
         runs
     }
-}
-
-/// The next corner of the same triangle; a half-edge runs from its corner to this one.
-#[inline(always)]
-pub(crate) const fn next(corner: u32) -> u32 {
-    if corner % 3 == 2 { corner - 2 } else { corner + 1 }
 }

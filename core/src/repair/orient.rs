@@ -1,14 +1,14 @@
 //! Orienting patches with the fewest flips.
 
-use crate::defects::edges::EdgeTable;
 use crate::defects::patches::tally;
-use crate::defects::triangles::Triangles;
-use crate::union_find::{Joined, ParityUnionFind};
+use crate::defects::sheets::Sheets;
+use crate::disjoint_sets::{Joined, ParitySets};
+use crate::{FaceId, HalfEdgeId, Map, Topology};
 use alloc::vec::Vec;
 
 /// Which triangles to flip, and how many edges cannot be made consistent: the seams.
 pub(crate) struct Orientation {
-    pub(crate) flip: Vec<bool>,
+    pub(crate) flip: Map<FaceId, bool>,
     pub(crate) seam_edges: usize,
 }
 
@@ -18,27 +18,35 @@ impl Orientation {
     /// Edges that are consistent as they stand are joined first: where a patch cannot be oriented, a seam that
     /// is there already is kept, and no other one torn open. In each patch the lesser part is flipped; of two
     /// equal halves, the one without the patch's first triangle.
-    pub(crate) fn of(edges: &EdgeTable, triangles: &Triangles) -> Self {
-        let mut sheets = ParityUnionFind::new(triangles.count());
-        let mut seam_edges = 0;
-        for pass in [false, true] {
-            let two_sided = edges.iter(triangles).filter_map(|edge| edge.two_sides());
-            for (a, b, same_way) in two_sided.filter(|&(_, _, same_way)| same_way == pass) {
-                let joined = sheets.union(a / 3, b / 3, same_way);
-                seam_edges += usize::from(joined == Joined::Contradicted);
-            }
+    pub(crate) fn of(sheets: &Sheets) -> Self {
+        let mut patches = ParitySets::new(sheets.face_count());
+        for (h, g) in sheets.paired() {
+            patches.join(sheets.face(h), sheets.face(g), false);
         }
-        let tally = tally(&mut sheets, triangles.count());
-        let flip = (0..triangles.count() as u32).map(|t| {
-            let (patch, odd) = sheets.find(t);
-            let [even_count, odd_count] = tally[patch as usize];
+        let mut inconsistent: Vec<_> = sheets.inconsistent().map(|(h, g)| (sheets.ends(h), h, g)).collect();
+        // By their vertices: where the seams of a patch run shall not depend on the order of the faces.
+        inconsistent.sort_unstable();
+        let mut is_torn = |h, g| patches.join(sheets.face(h), sheets.face(g), true) == Joined::Contradicted;
+        let seam_edges = inconsistent.into_iter().filter(|&(_, h, g)| is_torn(h, g)).count();
+        let tally = tally(&mut patches, sheets.face_count());
+        let flip = Map::from_fn(sheets.face_count(), |f| {
+            let (first, odd) = patches.least(f);
+            let [even_count, odd_count] = tally[first];
             odd == (odd_count <= even_count)
         });
-        Self { flip: flip.collect(), seam_edges }
+        Self { flip, seam_edges }
     }
 
-    /// Whether two triangles, which now run the same way along an edge or not, will be consistent there.
-    pub(crate) fn agrees(&self, a: u32, b: u32, same_way: bool) -> bool {
-        same_way == (self.flip[(a / 3) as usize] != self.flip[(b / 3) as usize])
+    /// The couples of half-edges that will be consistent: the edges of two triangles but the seams.
+    pub(crate) fn couples(&self, sheets: &Sheets) -> impl Iterator<Item = (HalfEdgeId, HalfEdgeId)> {
+        let turns =
+            move |&(h, g): &(HalfEdgeId, HalfEdgeId)| self.flip[sheets.face(h)] != self.flip[sheets.face(g)];
+        // What was consistent before is flipped together or not at all.
+        sheets.paired().chain(sheets.inconsistent().filter(turns))
+    }
+
+    /// The triangles to flip, rising.
+    pub(crate) fn flipped(&self) -> impl Iterator<Item = FaceId> {
+        self.flip.iter().filter(|&(_, &flip)| flip).map(|(f, _)| f)
     }
 }
