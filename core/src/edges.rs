@@ -4,7 +4,7 @@ use crate::{Adjacency, EdgeId, Handle, Map};
 /// One half-edge along each edge, the least, in ascending order.
 ///
 /// Every algorithm that looks at each edge once does so by this: the fan of an edge of `k` faces is walked
-/// once, not `k` times. O(half-edges), one byte of scratch for each.
+/// once, not `k` times. O(half-edges), without scratch.
 ///
 /// ```
 /// # use onering::CheL1 as Mesh;
@@ -15,17 +15,16 @@ use crate::{Adjacency, EdgeId, Handle, Map};
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
 pub fn each<M: Adjacency + ?Sized>(mesh: &M) -> impl Iterator<Item = M::HalfEdge> {
-    let mut seen: Map<M::HalfEdge, bool> = Map::filled(mesh.half_edge_bound(), false);
-    mesh.half_edges().filter(move |&h| {
-        let is_new = !seen[h];
-        if is_new {
-            mesh.edge_fan(h).for_each(|g| seen[g] = true);
-        }
-        is_new
-    })
+    mesh.half_edges().filter(|&h| is_least(mesh, h))
 }
 
-/// Number of undirected edges. O(half-edges), one byte of scratch for each; where the mesh is an
+/// Whether `h` is the least half-edge along its edge. O(1): the others in [`Adjacency::edge_fan`] are ascending.
+#[inline]
+pub(crate) fn is_least<M: Adjacency + ?Sized>(mesh: &M, h: M::HalfEdge) -> bool {
+    mesh.edge_fan(h).nth(1).is_none_or(|least_other| h < least_other)
+}
+
+/// Number of undirected edges. O(half-edges); where the mesh is an
 /// [`EdgeMap`](crate::EdgeMap), its own `edge_count` is O(1).
 ///
 /// ```

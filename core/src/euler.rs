@@ -2,7 +2,7 @@
 use crate::{Adjacency, boundary, components, edges, orientation, umbrella};
 
 /// Vertices - edges + faces, isolated vertices left out and an edge counted once however many faces it has.
-/// O(half-edges); one byte for each half-edge and vertex.
+/// O(half-edges); one byte for each vertex.
 ///
 /// ```
 /// # use onering::CheL1 as Mesh;
@@ -35,7 +35,7 @@ pub fn is_closed<M: Adjacency + ?Sized>(mesh: &M) -> bool {
 /// The genus, summed over all components: `(2 components - boundary loops - Euler characteristic) / 2`, from
 /// the classification of surfaces. `None` where a surface has none to speak of: without faces, where the mesh
 /// is not [manifold](umbrella::is_manifold), or where it is not [orientable](orientation::is_orientable).
-/// The faces need not agree in orientation as they are. Nearly linear; some 9 bytes for each half-edge.
+/// The faces need not agree in orientation as they are. Nearly linear; some 16 bytes at most for each half-edge.
 ///
 /// ```
 /// # use onering::CheL1 as Mesh;

@@ -1,5 +1,5 @@
 //! Walks around a vertex.
-use crate::{Adjacency, Incidence, Slot};
+use crate::{Adjacency, Incidence, Slot, edges};
 
 /// The half-edges out of one vertex from `start`, counter-clockwise, until the turn ends or comes round.
 ///
@@ -157,11 +157,10 @@ pub(crate) fn each_neighbour_once<T: Incidence + ?Sized>(
     mesh: &T,
     v: T::Vertex,
 ) -> impl Iterator<Item = T::Vertex> {
-    let is_least = move |h: T::HalfEdge| mesh.edge_fan(h).nth(1).is_none_or(|least_other| h < least_other);
     mesh.star(v).flat_map(move |h| {
         let p = mesh.prev(h);
-        let out = is_least(h).then(|| mesh.target(h));
-        let back = is_least(p).then(|| mesh.origin(p));
+        let out = edges::is_least(mesh, h).then(|| mesh.target(h));
+        let back = edges::is_least(mesh, p).then(|| mesh.origin(p));
         out.into_iter().chain(back)
     })
 }

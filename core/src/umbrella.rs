@@ -8,7 +8,7 @@ use crate::{Adjacency, Map, Topology, disjoint_sets::DisjointSets, edges};
 
 /// For each half-edge, the least half-edge of the umbrella that it belongs to: those from the same vertex whose
 /// faces are reached from its own by edges at that vertex. Where handles have gaps, a gap is on its own.
-/// Nearly linear (union-find); 5 bytes for each half-edge.
+/// Nearly linear (union-find); 8 bytes at most for each half-edge.
 ///
 /// ```
 /// # use onering::CheL1 as Mesh;
@@ -44,7 +44,7 @@ pub(crate) fn facing<M: Topology + ?Sized>(mesh: &M, h: M::HalfEdge, g: M::HalfE
 
 /// Whether the mesh is a surface, with boundary or without: no edge has three or more faces, and the faces of
 /// each vertex form one umbrella. Orientation is not asked for: a Moebius strip is manifold. A mesh without
-/// faces is. Nearly linear; 5 bytes for each half-edge.
+/// faces is. Nearly linear; 8 bytes at most for each half-edge.
 ///
 /// ```
 /// # use onering::CheL1 as Mesh;

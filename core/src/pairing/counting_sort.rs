@@ -41,6 +41,7 @@ pub(super) fn pair(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Paired, Bu
         }
         start = end;
     }
+    drop(entries); // the records may need the memory
     joiner.finish()
 }
 
@@ -56,6 +57,7 @@ fn pair_sparse(faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
             joiner.join(edge[0].1, h)?;
         }
     }
+    drop(entries); // the records may need the memory
     joiner.finish()
 }
 
