@@ -1,9 +1,9 @@
 //! The figures of one file, under the names that the reports use.
 
-use super::{digest, geometry, gltf};
+use super::{digest, geometry};
 use onering::defects::{Defects, Figure};
 use onering::repair::weld;
-use onering_io::{Error, Format, Skipped, Triangles};
+use onering_io::{Error, Format, Skipped, Triangles, gltf};
 use serde::ser::{Error as _, Serialize, SerializeMap, Serializer};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,7 +16,7 @@ pub(crate) struct Inspection {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) primitives: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) gltf_buffers: Option<Vec<&'static str>>,
+    pub(crate) gltf_buffers: Option<Vec<String>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) skipped_faces: Option<usize>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
@@ -63,16 +63,14 @@ pub(crate) enum Welded {
 
 impl Inspection {
     pub(crate) fn of(path: &Path) -> Result<Self, Error> {
-        let mesh = onering_io::load(path)?;
-        // Read again for what the reader does not tell; on the way from a cache, not from a disk.
-        let bytes = std::fs::read(path).map_err(|source| Error::Io { path: path.to_owned(), source })?;
+        let bytes = onering_io::bytes_of(path)?;
+        let mesh = onering_io::read_at(&bytes, path)?;
         let mut inspection = Self::of_mesh(&mesh);
         inspection.file = super::name_of(path);
         inspection.bytes = bytes.len();
         inspection.sha256 = digest::of_bytes(&bytes);
         if let Some(format) = Format::of(path, &bytes) {
             inspection.format = format.to_string();
-            inspection.add_document(format, &bytes);
         }
         Ok(inspection)
     }
@@ -84,8 +82,8 @@ impl Inspection {
         let mut inspection = Self {
             file: String::new(),
             format: String::new(),
-            primitives: None,
-            gltf_buffers: None,
+            primitives: mesh.gltf.as_ref().map(|origin| origin.primitives),
+            gltf_buffers: mesh.gltf.as_ref().map(buffers),
             skipped_faces: None,
             ignored_elements: BTreeMap::new(),
             skipped_primitives: BTreeMap::new(),
@@ -128,14 +126,6 @@ impl Inspection {
             *list.entry(key).or_default() += note.count;
         }
     }
-
-    fn add_document(&mut self, format: Format, bytes: &[u8]) {
-        if matches!(format, Format::Gltf | Format::Glb) {
-            let document = gltf::Document::of(bytes);
-            self.primitives = Some(document.primitives);
-            self.gltf_buffers = Some(document.buffers.into_iter().collect());
-        }
-    }
 }
 
 impl Topology {
@@ -156,6 +146,10 @@ impl Welded {
         let faces: Vec<_> = mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();
         Self::Other(Topology::of(&Defects::of(vertices, &faces), Some(vertices)))
     }
+}
+
+fn buffers(of: &gltf::Origin) -> Vec<String> {
+    of.buffers.iter().map(ToString::to_string).collect()
 }
 
 /// How many vertices have so many edges, of faces that name three vertices. Isolated vertices have none.
