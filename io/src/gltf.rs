@@ -83,7 +83,7 @@ pub(crate) fn read_format(bytes: &[u8], format: Format, folder: Option<&Path>) -
         _ => glb::Parts { json: without_byte_order_mark(bytes), bin: None },
     };
     let document = Document::parse(json)
-        .map_err(|error| malformed(Place::File, Reason::Json { message: error.to_string() }))?;
+        .map_err(|error| malformed(Place::File, Reason::Json { message: message_of(&error) }))?;
     check_version(&document).map_err(|reason| malformed(Place::File, reason))?;
     if let Some(feature) = unsupported_extension(&document) {
         return Err(Error::Unsupported { format, path: None, place: Place::File, feature });
@@ -95,6 +95,15 @@ pub(crate) fn read_format(bytes: &[u8], format: Format, folder: Option<&Path>) -
         }
     }
     assembly.finish()
+}
+
+/// What the JSON reader says, shortened where it quotes a long string.
+fn message_of(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    match message.len() {
+        0..=250 => message,
+        _ => format!("{} at line {} column {}", quote(message.as_bytes()), error.line(), error.column()),
+    }
 }
 
 fn format_of(bytes: &[u8]) -> Format {

@@ -77,6 +77,13 @@ fn depth_does_not_exhaust_the_stack() {
 }
 
 #[test]
+fn a_long_string_is_not_quoted_whole() {
+    let text = document(&format!(r#""meshes": "{}""#, "x".repeat(5_000)));
+    let Reason::Json { message } = refusal(text.as_bytes()).1 else { panic!() };
+    assert!(message.len() < 100 && message.ends_with("... at line 1 column 5043"), "{message}");
+}
+
+#[test]
 fn nodes_are_not_followed() {
     let text = document(r#""scenes": [{"nodes": [0]}], "nodes": [{"children": [1]}, {"children": [0]}]"#);
     assert!(is_empty(&parse(text.as_bytes())));
