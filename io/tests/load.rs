@@ -89,6 +89,18 @@ fn devices_are_not_read() {
     assert_eq!(bytes_of("/dev/null").unwrap(), b"");
 }
 
+/// As a shell's `<(...)` gives it.
+#[cfg(unix)]
+#[test]
+fn pipes_are_read_to_their_end() {
+    use std::{io::Write, os::fd::AsRawFd};
+    let (reader, mut writer) = std::io::pipe().unwrap();
+    writer.write_all(b"v 1 2 3\n").unwrap();
+    drop(writer);
+    let mesh = load(format!("/dev/fd/{}", reader.as_raw_fd())).unwrap();
+    assert_eq!(mesh.positions, [[1.0, 2.0, 3.0]]);
+}
+
 #[test]
 fn a_buffer_that_is_missing_is_named_with_the_document_that_asks_for_it() {
     let folder = Folder::new("missing");

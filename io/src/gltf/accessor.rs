@@ -1,11 +1,14 @@
 //! Positions and indices out of accessors. Every range is checked before a byte of the result is allocated.
 
+mod layout;
+
 use std::collections::BTreeSet;
 use std::path::Path;
 
 use ::gltf::json::accessor::{Accessor, ComponentType, GenericComponentType, IndexComponentType, Type};
 use ::gltf::json::validation::Checked;
 
+use self::layout::Layout;
 use super::buffers::Buffers;
 use super::component::{is_unsigned, unsigned, vector};
 use super::document::Document;
@@ -34,14 +37,6 @@ struct Sparse {
     component: ComponentType,
     indices: Layout,
     values: Layout,
-}
-
-/// Where the elements of an accessor lie: `count` of them, `stride` bytes apart, all within the buffer.
-struct Layout {
-    buffer: usize,
-    start: usize,
-    stride: usize,
-    count: usize,
 }
 
 impl<'a> Source<'a> {
@@ -191,54 +186,6 @@ impl<'a> Source<'a> {
         Ok(Some(Sparse { component, indices, values }))
     }
 
-    /// Where `count` elements of `size` bytes lie in a bufferView, once that is known to be true.
-    fn layout(
-        &mut self,
-        view: usize,
-        offset: u64,
-        count: u64,
-        size: usize,
-        item: Item,
-        place: Place,
-    ) -> Result<Layout, Error> {
-        let views = &self.document.buffer_views;
-        let buffer_view =
-            views.get(view).ok_or_else(|| self.missing(Item::BufferView(view), views.len(), place))?;
-        let buffer = buffer_view.buffer.value();
-        if buffer >= self.buffers.count() {
-            return Err(self.missing(Item::Buffer(buffer), self.buffers.count(), place));
-        }
-        let stride = buffer_view.byte_stride.map_or(0, |stride| stride.0 as u64);
-        let stride = if stride == 0 { size as u64 } else { stride };
-        if stride < size as u64 {
-            return Err(self.bad(Item::BufferView(view), place, "elements overlap: byteStride is too small"));
-        }
-        let needed = match count {
-            0 => 0,
-            _ => (count - 1).saturating_mul(stride).saturating_add(offset).saturating_add(size as u64),
-        };
-        self.check_fits(item, needed, buffer_view.byte_length.0, place)?;
-        self.buffers.load(buffer)?;
-        let view_offset = buffer_view.byte_offset.unwrap_or_default().0;
-        let available = self.buffers.bytes(buffer).len() as u64;
-        self.check_fits(item, needed.saturating_add(view_offset), available, place)?;
-        // All of these are at most `available`, or are not used where there is no element.
-        let start = if count == 0 { 0 } else { (view_offset + offset) as usize };
-        let stride = usize::try_from(stride).unwrap_or(usize::MAX);
-        Ok(Layout { buffer, start, stride, count: count as usize })
-    }
-
-    /// The bytes of each element.
-    fn slices(&self, layout: &Layout, size: usize) -> impl Iterator<Item = &[u8]> {
-        let all = self.buffers.bytes(layout.buffer);
-        // The last element may end before its stride does.
-        let end = match layout.count {
-            0 => layout.start,
-            count => layout.start + (count - 1) * layout.stride + size,
-        };
-        all[layout.start..end].chunks(layout.stride).map(move |chunk| &chunk[..size])
-    }
-
     fn accessor(&self, i: usize, place: Place) -> Result<&'a Accessor, Error> {
         let accessors = &self.document.accessors;
         accessors.get(i).ok_or_else(|| self.missing(Item::Accessor(i), accessors.len(), place))
@@ -249,13 +196,6 @@ impl<'a> Source<'a> {
             Checked::Valid(GenericComponentType(component)) => Ok(component),
             Checked::Invalid => Err(self.bad(Item::Accessor(i), place, "unknown componentType")),
         }
-    }
-
-    fn check_fits(&self, item: Item, needed: u64, available: u64, place: Place) -> Result<(), Error> {
-        if needed <= available {
-            return Ok(());
-        }
-        Err(self.malformed(place, Reason::TooShort { item, needed, available }))
     }
 
     fn missing(&self, item: Item, count: usize, place: Place) -> Error {
