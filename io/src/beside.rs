@@ -14,32 +14,61 @@ pub(crate) enum Refusal {
     Io(PathBuf, io::Error),
 }
 
-/// The first `limit` bytes of the file that `uri` names in `folder` or below it.
+/// A file in the folder.
+pub(crate) struct Found {
+    /// As the folder and the reference say it, for errors.
+    path: PathBuf,
+    /// Without links, the same however the reference is spelt.
+    pub(crate) real: PathBuf,
+}
+
+/// The first `limit` bytes of the file that `uri` names, as [`find`] finds it.
+#[cfg(feature = "tobj")]
+pub(crate) fn read(folder: &Path, uri: &str, limit: u64) -> Result<Vec<u8>, Refusal> {
+    find(folder, uri)?.read(limit)
+}
+
+/// The file that `uri` names in `folder` or below it.
 ///
 /// Hostile files name `/etc/passwd`, `../../secret` or `http://...`: only plain relative names are
 /// followed, and no link that leads out of the folder.
-pub(crate) fn read(folder: &Path, uri: &str, limit: u64) -> Result<Vec<u8>, Refusal> {
+pub(crate) fn find(folder: &Path, uri: &str) -> Result<Found, Refusal> {
     let name = percent_decoded(uri).ok_or(Refusal::Uri("bad percent encoding"))?;
     check_name(&name).map_err(Refusal::Uri)?;
     let path = folder.join(&*name);
     let io = |source| Refusal::Io(path.clone(), source);
-    if !stays_in(folder, &path).map_err(io)? {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let real = path.canonicalize().map_err(io)?;
+    if !real.starts_with(folder.canonicalize().map_err(io)?) {
         return Err(Refusal::Uri("it leads out of the folder"));
     }
     // A pipe or a device would be read for ever.
     if !path.metadata().map_err(io)?.is_file() {
         return Err(Refusal::Uri("it is not a regular file"));
     }
-    let file = File::open(&path).map_err(io)?;
-    let mut bytes = Vec::new();
-    file.take(limit).read_to_end(&mut bytes).map_err(io)?;
-    Ok(bytes)
+    Ok(Found { path, real })
 }
 
+impl Found {
+    /// The first `limit` bytes.
+    pub(crate) fn read(&self, limit: u64) -> Result<Vec<u8>, Refusal> {
+        let mut bytes = Vec::new();
+        let read = File::open(&self.path).and_then(|file| file.take(limit).read_to_end(&mut bytes));
+        read.map_err(|source| Refusal::Io(self.path.clone(), source))?;
+        Ok(bytes)
+    }
+}
+
+/// Bytes that a name may have: most file systems allow no more.
+const NAME: usize = 255;
+
 fn check_name(name: &str) -> Result<(), &'static str> {
-    // `:` covers schemes and Windows drives, `\` Windows folders.
-    if name.is_empty() || name.contains(['\0', ':', '\\']) {
+    // `:` covers schemes and Windows drives, `\` Windows folders; errors print names as they are.
+    if name.is_empty() || name.contains([':', '\\']) || name.contains(char::is_control) {
         return Err("only plain relative file names are");
+    }
+    if name.len() > NAME {
+        return Err("names of more than 255 bytes are not");
     }
     if name.starts_with('/') {
         return Err("absolute paths are not");
@@ -48,11 +77,6 @@ fn check_name(name: &str) -> Result<(), &'static str> {
         return Err("it climbs out of the folder");
     }
     Ok(())
-}
-
-fn stays_in(folder: &Path, path: &Path) -> io::Result<bool> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    Ok(path.canonicalize()?.starts_with(folder.canonicalize()?))
 }
 
 fn percent_decoded(uri: &str) -> Option<Cow<'_, str>> {
@@ -90,7 +114,9 @@ mod tests {
 
     #[test]
     fn names_that_leave_the_folder_do_not() {
-        for name in ["", "/etc/passwd", "../a", "a/../../b", "http://x/y", "file:a", "C:a", "..\\a", "a\0"] {
+        for name in
+            ["", "/etc/passwd", "../a", "a/../../b", "http://x/y", "file:a", "C:a", "..\\a", "a\0", "\x1b[2J"]
+        {
             assert!(check_name(name).is_err(), "{name}");
         }
     }

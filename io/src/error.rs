@@ -28,7 +28,7 @@ pub enum Error {
         path: Option<PathBuf>,
     },
     /// The file contradicts itself or its format.
-    #[error("{}{reason}", Location { path, format: *format, place: *place })]
+    #[error("{}{reason}", Location { path, format: *format, place: reason.place_to_say(*place) })]
     Malformed {
         /// What it was read as.
         format: Format,
@@ -125,6 +125,12 @@ pub enum Reason {
         /// The version that the file claims.
         version: String,
     },
+    /// A glTF document asks for a reader of a later version.
+    #[error("asset.minVersion is {version:?}, but only 2.0 is read")]
+    MinVersion {
+        /// The version that the document asks for, or the beginning of what stands there.
+        version: String,
+    },
     /// Something ends before it should.
     #[error("{item} needs {needed} bytes, but there are {available}")]
     TooShort {
@@ -184,6 +190,20 @@ pub enum Reason {
         /// What does not match.
         problem: String,
     },
+}
+
+impl Reason {
+    /// The place, unless this names it anyway.
+    fn place_to_say(&self, place: Place) -> Place {
+        match (self, place) {
+            (
+                Self::TooShort { item: Item::Buffer(item), .. }
+                | Self::BadItem { item: Item::Buffer(item), .. },
+                Place::Buffer(buffer),
+            ) if *item == buffer => Place::File,
+            _ => place,
+        }
+    }
 }
 
 /// `path: `, or nothing.

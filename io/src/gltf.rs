@@ -28,6 +28,7 @@ use std::path::Path;
 use self::accessor::Source;
 use self::document::Document;
 use self::primitive::Assembly;
+use crate::error::quote;
 use crate::{Error, Format, Place, Reason, Triangles};
 
 pub use self::origin::{BufferKind, Origin};
@@ -60,13 +61,16 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
 ///
 /// Only relative names are followed, percent-decoded: no absolute path, no `..`, no scheme such as `http:`,
 /// and no link that leads out of the folder. Of each file no more is read than the buffer's `byteLength`.
-/// Memory is proportional to the input: the mesh may have up to 16 vertices and faces for each byte of it,
-/// or a million in all; a hostile document may take 140 bytes for each of its own while it is read.
+///
+/// Primitives may share accessors, so the mesh may be larger than the input, but by a limit: it may have up to
+/// 4 vertices and faces for each byte of the document and its files, or 65,536 in all. They are counted before
+/// the first one is decoded, and take 12 bytes each; while the indices of a primitive are read, its faces take
+/// 12 more. A hostile document may take 140 bytes for each of its own while it is read.
 ///
 /// # Errors
 /// [`Error::Malformed`] with the mesh and primitive, or the buffer, at fault: broken JSON or GLB chunks, an
 /// element that does not exist, an accessor that leaves its bufferView or buffer, a corner that names no
-/// vertex, a reference that is not followed. [`Error::Unsupported`] for required extensions.
+/// vertex, a reference that is not followed, a mesh beyond that limit. [`Error::Unsupported`] for required extensions.
 /// [`Error::Io`] names the buffer's file that could not be read.
 pub fn read_beside(bytes: &[u8], folder: &Path) -> Result<Triangles, Error> {
     read_format(bytes, format_of(bytes), Some(folder))
@@ -79,7 +83,7 @@ pub(crate) fn read_format(bytes: &[u8], format: Format, folder: Option<&Path>) -
         _ => glb::Parts { json: without_byte_order_mark(bytes), bin: None },
     };
     let document = Document::parse(json)
-        .map_err(|error| malformed(Place::File, Reason::Json { message: error.to_string() }))?;
+        .map_err(|error| malformed(Place::File, Reason::Json { message: message_of(&error) }))?;
     check_version(&document).map_err(|reason| malformed(Place::File, reason))?;
     if let Some(feature) = unsupported_extension(&document) {
         return Err(Error::Unsupported { format, path: None, place: Place::File, feature });
@@ -87,10 +91,19 @@ pub(crate) fn read_format(bytes: &[u8], format: Format, folder: Option<&Path>) -
     let mut assembly = Assembly::new(Source::new(&document, format, bin, folder, bytes.len() as u64));
     for (i, mesh) in document.meshes.iter().enumerate() {
         for (j, primitive) in mesh.primitives.iter().enumerate() {
-            assembly.add(primitive, Place::Primitive { mesh: i, primitive: j })?;
+            assembly.plan(primitive, Place::Primitive { mesh: i, primitive: j })?;
         }
     }
-    Ok(assembly.finish())
+    assembly.finish()
+}
+
+/// What the JSON reader says, shortened where it quotes a long string.
+fn message_of(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    match message.len() {
+        0..=250 => message,
+        _ => format!("{} at line {} column {}", quote(message.as_bytes()), error.line(), error.column()),
+    }
 }
 
 fn format_of(bytes: &[u8]) -> Format {
@@ -107,11 +120,21 @@ fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
 }
 
 fn check_version(document: &Document) -> Result<(), Reason> {
+    if let Some(version) = document.asset.min_version.as_ref().filter(|version| !is_met(version)) {
+        return Err(Reason::MinVersion { version: quote(version.as_bytes()) });
+    }
     let version = &document.asset.version;
     if version == "2" || version.starts_with("2.") {
         return Ok(());
     }
-    Err(Reason::Version { version: crate::error::quote(version.as_bytes()) })
+    Err(Reason::Version { version: quote(version.as_bytes()) })
+}
+
+/// Whether a reader of version 2.0 will do.
+fn is_met(min_version: &str) -> bool {
+    let (major, minor) = min_version.split_once('.').unwrap_or((min_version, "0"));
+    let numbers = major.parse::<u32>().ok().zip(minor.parse::<u32>().ok());
+    numbers.is_some_and(|numbers| numbers <= (2, 0))
 }
 
 fn unsupported_extension(document: &Document) -> Option<String> {
@@ -119,5 +142,5 @@ fn unsupported_extension(document: &Document) -> Option<String> {
         HARMLESS.contains(&name) || HARMLESS_BEGINNINGS.iter().any(|beginning| name.starts_with(beginning))
     };
     let name = document.extensions_required.iter().find(|name| !is_harmless(name))?;
-    Some(crate::error::quote(name.as_bytes()))
+    Some(quote(name.as_bytes()))
 }

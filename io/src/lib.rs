@@ -2,8 +2,8 @@
 //!
 //! [`load`] reads a file, [`read`] reads bytes; both give [`Triangles`]: positions, faces, how the
 //! polygons were cut, and [notes](Note) on what was left out. What cannot be read is an [`Error`] that
-//! names the line or the element at fault. No input makes a reader panic, and memory is taken only for
-//! what the input's own bytes can fill.
+//! names the line or the element at fault. No input makes a reader panic, and how much time and memory one
+//! may take is bounded by its size: see [`load`].
 //!
 //! | format | extensions | module |
 //! |---|---|---|

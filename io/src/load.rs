@@ -11,18 +11,27 @@ use crate::{Error, Format, Triangles, gltf, obj};
 /// No other file is opened, but for the buffers that a glTF document names in its own folder (see
 /// [`gltf::read_beside`]).
 ///
+/// # Time and memory
+/// Linear in the bytes of the file and its buffers, whatever is in them; they are in memory as a whole while
+/// they are read. The result has at most 6 bytes for each byte of an OBJ file, and 48 for each byte of a glTF
+/// document and its files, or 800 kB: see [`gltf::read_beside`]. While it is made, memory besides the file is
+/// at most 20 bytes for each byte of an OBJ file. For a glTF document it is at most 100 for each of its bytes
+/// and of its files, and 140 more for each byte of JSON; few files come near that.
+///
 /// # Errors
-/// [`Error::Io`] if the file cannot be read or is not a regular one, [`Error::UnknownFormat`], or what the
+/// [`Error::Io`] if the file cannot be read, is a directory or a device, [`Error::UnknownFormat`], or what the
 /// format's reader says. All of them name the file.
 pub fn load(path: impl AsRef<Path>) -> Result<Triangles, Error> {
     let path = path.as_ref();
     read_at(&bytes_of(path)?, path)
 }
 
-/// All bytes of the file at `path`, for [`read_at`] and whatever else they are wanted for.
+/// All bytes of the file at `path`, for [`read_at`] and whatever else they are wanted for. A pipe is read to its
+/// end.
 ///
 /// # Errors
-/// [`Error::Io`] if the file cannot be read or is not a regular one: a pipe or a device might never end.
+/// [`Error::Io`] if the file cannot be read, or is a directory or a device: a device might never end. The null
+/// device is empty.
 pub fn bytes_of(path: impl AsRef<Path>) -> Result<Vec<u8>, Error> {
     let path = path.as_ref();
     check_file(path).and_then(|()| fs::read(path)).map_err(|source| Error::Io {
@@ -70,15 +79,29 @@ fn dispatch(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Trian
     }
 }
 
-/// Regular files only, in words of our own: systems differ in what they say of a directory.
+/// Refuses directories, in words of our own since systems differ in theirs, and devices.
 fn check_file(path: &Path) -> io::Result<()> {
-    let kind = fs::metadata(path)?.file_type();
-    if kind.is_dir() {
+    let about = fs::metadata(path)?;
+    if about.is_dir() {
         return Err(io::Error::new(io::ErrorKind::IsADirectory, "this is a directory, not a mesh file"));
     }
-    if !kind.is_file() {
-        let problem = "this is not a regular file; a pipe or a device may have no end";
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
+    if is_device(&about) {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "this is a device, which may have no end"));
     }
     Ok(())
+}
+
+/// Whether it is a device, and not the null device.
+#[cfg(unix)]
+fn is_device(about: &fs::Metadata) -> bool {
+    use std::os::unix::fs::{FileTypeExt, MetadataExt};
+    let kind = about.file_type();
+    let is_null = || fs::metadata("/dev/null").is_ok_and(|null| null.rdev() == about.rdev());
+    kind.is_block_device() || kind.is_char_device() && !is_null()
+}
+
+/// Other systems have no devices among their files.
+#[cfg(not(unix))]
+fn is_device(_: &fs::Metadata) -> bool {
+    false
 }

@@ -16,7 +16,7 @@ mod keyword;
 pub(crate) use self::keyword::begins_with_keyword;
 use self::keyword::{element, is_other};
 use crate::error::quote;
-use crate::memory::push;
+use crate::memory::{push, reserve};
 use crate::number::{f32_of, index_prefix};
 use crate::text::Scanner;
 use crate::triangles::skip;
@@ -27,19 +27,19 @@ use crate::{Error, Format, Note, Place, Reason, Skipped, Triangles};
 /// # Errors
 /// [`Error::Malformed`] with the line at fault, the first one in the file: a vertex with fewer than three
 /// coordinates or with a word that is no number; a corner that is no index, is 0, or names no vertex of the
-/// file. Also if there are lines, but none that begins with an OBJ keyword. An empty file is an empty mesh.
+/// file. Also if there is neither a vertex nor a face, and most lines begin with no OBJ keyword: by chance, some
+/// lines of any junk do. An empty file is an empty mesh.
 pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
     match Reader::new(bytes, u32::MAX).run() {
-        Ok(reader) if reader.corner_bound as usize <= reader.positions.len() => reader.finish(),
-        Err(error @ Error::OutOfMemory { .. }) => Err(error),
-        // Whether a face's corners exist is known at the end only. Instead of remembering lines in every
-        // file, the few bad files are read twice: now each corner is checked where it stands.
-        _ => {
-            let count =
-                u32::try_from(count_vertices(bytes)).map_err(|_| malformed(Place::File, Reason::TooMany))?;
-            Reader::new(bytes, count).run()?.finish()
-        }
+        Ok(reader) if reader.corner_bound as usize <= reader.positions.len() => return reader.finish(),
+        Err(error @ Error::OutOfMemory { .. }) => return Err(error),
+        // What was read goes before it is read again.
+        bad => drop(bad),
     }
+    // Whether a face's corners exist is known at the end only. Instead of remembering lines in every
+    // file, the few bad files are read twice: now each corner is checked where it stands.
+    let count = u32::try_from(count_vertices(bytes)).map_err(|_| malformed(Place::File, Reason::TooMany))?;
+    Reader::new(bytes, count).run()?.finish()
 }
 
 fn count_vertices(bytes: &[u8]) -> usize {
@@ -65,6 +65,8 @@ struct Reader<'a> {
     /// `sizes[n]` polygons of n corners; the larger ones are in `polygon_sizes`.
     sizes: [usize; 8],
     polygon_sizes: std::collections::BTreeMap<usize, usize>,
+    /// The first face of each polygon, from the first one on that is no triangle.
+    polygon_starts: Option<Vec<u32>>,
     /// One more than the highest corner of any face.
     corner_bound: u32,
     notes: Vec<Note>,
@@ -81,6 +83,7 @@ impl<'a> Reader<'a> {
             faces: Vec::new(),
             sizes: [0; 8],
             polygon_sizes: Default::default(),
+            polygon_starts: None,
             corner_bound: 0,
             notes: Vec::new(),
             statements: 0,
@@ -124,6 +127,7 @@ impl<'a> Reader<'a> {
 
     #[inline(always)]
     fn face(&mut self, line: Place) -> Result<(), Error> {
+        let start = self.faces.len();
         let (mut first, mut previous, mut size, mut bound) = (0, 0, 0, 0);
         let mut beyond = None;
         while let Some(word) = self.scanner.word() {
@@ -149,7 +153,7 @@ impl<'a> Reader<'a> {
         }
         self.corner_bound = self.corner_bound.max(bound);
         self.count_polygon(size);
-        Ok(())
+        self.start_polygon(start, size)
     }
 
     /// The vertex that a corner names; `u32::MAX` for any number that is too large for a `u32`.
@@ -180,6 +184,24 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Notes where a polygon starts; not before there is a polygon that is no triangle.
+    #[inline(always)]
+    fn start_polygon(&mut self, start: usize, size: usize) -> Result<(), Error> {
+        if let Some(starts) = &mut self.polygon_starts {
+            return push(starts, start as u32);
+        }
+        if size == 3 { Ok(()) } else { self.start_all_so_far(start) }
+    }
+
+    #[cold]
+    fn start_all_so_far(&mut self, start: usize) -> Result<(), Error> {
+        let mut starts = Vec::new();
+        reserve(&mut starts, start + 1)?;
+        starts.extend(0..=start as u32);
+        self.polygon_starts = Some(starts);
+        Ok(())
+    }
+
     #[cold]
     fn other(&mut self, keyword: &[u8], line: Place) {
         if let Some(element) = element(keyword) {
@@ -189,12 +211,19 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// The first unknown line of a file that is not OBJ at all.
+    fn junk(&self) -> Option<Place> {
+        let is_empty = self.positions.is_empty() && self.faces.is_empty();
+        let unknown = self.notes.iter().find(|note| note.what == Skipped::UnknownStatements);
+        let is_most = |note: &&Note| is_empty && note.count > self.statements - note.count;
+        unknown.filter(is_most).map(|note| note.first)
+    }
+
     fn finish(mut self) -> Result<Triangles, Error> {
-        if let [Note { what: Skipped::UnknownStatements, count, first }] = self.notes[..]
-            && count == self.statements
-        {
-            let expected = "an OBJ file: no line begins with a keyword of the format";
-            return Err(malformed(first, Reason::NotThisFormat { expected }));
+        if let Some(line) = self.junk() {
+            let expected =
+                "an OBJ file: it has no vertex, and most lines begin with no keyword of the format";
+            return Err(malformed(line, Reason::NotThisFormat { expected }));
         }
         if self.positions.len().max(self.faces.len()) > u32::MAX as usize {
             return Err(malformed(Place::File, Reason::TooMany));
@@ -203,8 +232,9 @@ impl<'a> Reader<'a> {
         self.polygon_sizes.extend(small);
         self.positions.shrink_to_fit();
         self.faces.shrink_to_fit();
-        let Self { positions, faces, polygon_sizes, notes, .. } = self;
-        Ok(Triangles { positions, faces, polygon_sizes, notes, gltf: None })
+        self.polygon_starts.iter_mut().for_each(Vec::shrink_to_fit);
+        let Self { positions, faces, polygon_sizes, polygon_starts, notes, .. } = self;
+        Ok(Triangles { positions, faces, polygon_sizes, polygon_starts, notes, gltf: None })
     }
 }
 

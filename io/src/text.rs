@@ -96,10 +96,7 @@ impl<'a> Scanner<'a> {
         loop {
             match self.class() {
                 BLANK => self.at += 1,
-                BACKSLASH if self.is_at_joint() => {
-                    self.at += memchr::memchr2(b'\n', b'\r', &self.bytes[self.at..]).unwrap_or(0);
-                    self.end_physical_line();
-                }
+                BACKSLASH if self.is_at_joint() => self.join(),
                 _ => return,
             }
         }
@@ -116,12 +113,25 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Whether the backslash here joins the next line: only spaces and tabs stand between it and the end.
+    /// Steps from a joining backslash to the next line, or to the end of the file where there is none.
+    #[cold]
+    fn join(&mut self) {
+        match memchr::memchr2(b'\n', b'\r', &self.bytes[self.at..]) {
+            Some(length) => {
+                self.at += length;
+                self.end_physical_line();
+            }
+            None => self.at = self.bytes.len(),
+        }
+    }
+
+    /// Whether the backslash here joins the next line: only spaces and tabs stand between it and the end of its
+    /// own. On the last line it joins nothing, and is a blank.
     #[cold]
     fn is_at_joint(&self) -> bool {
         let behind = &self.bytes[self.at + 1..];
         let blanks = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
-        matches!(behind.get(blanks), Some(b'\n' | b'\r'))
+        matches!(behind.get(blanks), None | Some(b'\n' | b'\r'))
     }
 }
 
@@ -165,8 +175,15 @@ mod tests {
 
     #[test]
     fn a_backslash_elsewhere_is_a_letter() {
-        assert_eq!(lines("a\\b c\\"), [(1, vec!["a\\b", "c\\"])]);
-        assert_eq!(lines("\\"), [(1, vec!["\\"])]);
+        assert_eq!(lines("a\\b \\c"), [(1, vec!["a\\b", "\\c"])]);
+    }
+
+    #[test]
+    fn a_backslash_at_the_very_end_is_a_blank() {
+        for end in ["\\", "\\ \t", "\\\n", "\\\r\n"] {
+            assert_eq!(lines(&format!("a\\b c{end}")), [(1, vec!["a\\b", "c"])], "{end:?}");
+            assert_eq!(lines(end), [(1, vec![])], "{end:?}");
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::ops::Range;
 
 use crate::{Place, gltf};
 
@@ -18,6 +19,9 @@ pub struct Triangles {
     /// How many polygons of each corner count the faces were cut from: `{3: 32, 4: 468}` is 500 polygons,
     /// and 968 faces. A polygon of n corners is n - 2 consecutive faces.
     pub polygon_sizes: BTreeMap<usize, usize>,
+    /// The first face of each polygon, in file order: polygon `p` is the faces from entry `p` to the next one.
+    /// `None` where every polygon is a triangle, polygon `f` face `f`.
+    pub polygon_starts: Option<Vec<u32>>,
     /// What the file held and this does not, one note for each kind.
     pub notes: Vec<Note>,
     /// What the triangles of a glTF document come from; `None` where they come from elsewhere.
@@ -28,13 +32,42 @@ impl Triangles {
     /// A mesh that was triangles from the start: no polygon was cut, nothing was left out.
     pub fn new(positions: Vec<[f32; 3]>, faces: Vec<[u32; 3]>) -> Self {
         let polygon_sizes = BTreeMap::from_iter((!faces.is_empty()).then_some((3, faces.len())));
-        Self { positions, faces, polygon_sizes, notes: Vec::new(), gltf: None }
+        Self { positions, faces, polygon_sizes, ..Self::default() }
     }
 
     /// Number of polygons in the file, before they were cut into triangles. Linear in the number of
     /// distinct sizes.
     pub fn polygon_count(&self) -> usize {
         self.polygon_sizes.values().sum()
+    }
+
+    /// The polygon that face `face` was cut from; `None` if there is no such face. Logarithmic in the number of
+    /// polygons.
+    pub fn polygon(&self, face: usize) -> Option<usize> {
+        if face >= self.faces.len() {
+            return None;
+        }
+        match &self.polygon_starts {
+            None => Some(face),
+            Some(starts) => starts.partition_point(|start| *start as usize <= face).checked_sub(1),
+        }
+    }
+
+    /// The faces of each polygon, in file order: a polygon of n corners is n - 2 of them.
+    ///
+    /// ```
+    /// let text = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 2 3 4\n";
+    /// let mesh = onering_io::read(text)?;
+    /// assert!(mesh.polygons().eq([0..1, 1..3]));
+    /// assert_eq!(mesh.polygon(2), Some(1));
+    /// # Ok::<(), onering_io::Error>(())
+    /// ```
+    pub fn polygons(&self) -> impl ExactSizeIterator<Item = Range<usize>> + '_ {
+        let starts = self.polygon_starts.as_deref();
+        let start = move |p: usize| {
+            starts.map_or(p, |starts| starts.get(p).map_or(self.faces.len(), |s| *s as usize))
+        };
+        (0..starts.map_or(self.faces.len(), <[u32]>::len)).map(move |p| start(p)..start(p + 1))
     }
 }
 

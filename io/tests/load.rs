@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use onering_io::{Error, Format, Place, bytes_of, load, read_at};
+use onering_io::{Error, Format, Place, Reason, bytes_of, load, read_at};
 
 /// A folder of its own for each test, gone when the test ends.
 struct Folder(PathBuf);
@@ -73,12 +73,32 @@ fn what_is_no_file_is_named() {
     assert!(matches!(load(&absent).unwrap_err(), Error::Io { path, .. } if path == absent));
 }
 
-/// A device without an end.
+/// A device has no end, but for the null device.
 #[cfg(unix)]
 #[test]
-fn what_is_no_regular_file_is_not_read() {
-    let text = load("/dev/zero").unwrap_err().to_string();
-    assert!(text.starts_with("/dev/zero: this is not a regular file"), "{text}");
+fn devices_are_not_read() {
+    let folder = Folder::new("device");
+    let link = folder.0.join("zero.obj");
+    std::os::unix::fs::symlink("/dev/zero", &link).unwrap();
+    for path in [link.to_str().unwrap(), "/dev/zero"] {
+        assert_eq!(
+            load(path).unwrap_err().to_string(),
+            format!("{path}: this is a device, which may have no end")
+        );
+    }
+    assert_eq!(bytes_of("/dev/null").unwrap(), b"");
+}
+
+/// As a shell's `<(...)` gives it.
+#[cfg(unix)]
+#[test]
+fn pipes_are_read_to_their_end() {
+    use std::{io::Write, os::fd::AsRawFd};
+    let (reader, mut writer) = std::io::pipe().unwrap();
+    writer.write_all(b"v 1 2 3\n").unwrap();
+    drop(writer);
+    let mesh = load(format!("/dev/fd/{}", reader.as_raw_fd())).unwrap();
+    assert_eq!(mesh.positions, [[1.0, 2.0, 3.0]]);
 }
 
 #[test]
@@ -104,4 +124,40 @@ fn bytes_at_hand_are_read_as_the_file_would_be() {
         let [one, other] = [read_at(bytes, &path), load(&path)].map(|result| format!("{result:?}"));
         assert_eq!(one, other);
     }
+}
+
+/// Each name of a file would be one more copy of it in memory, and one more reason for a larger mesh.
+#[test]
+fn a_file_with_many_names_is_read_and_counted_once() {
+    let folder = Folder::new("names");
+    folder.file("a.bin", &[0; 60_000]);
+    // The second buffer is longer than the first one, the third shorter: all are there.
+    let text = |count: usize| {
+        format!(
+            r#"{{"asset": {{"version": "2.0"}}, "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}}},
+            {{"attributes": {{"POSITION": 1}}}}, {{"attributes": {{"POSITION": 2}}}},
+            {{"attributes": {{"POSITION": 3}}, "indices": 4}}]}}],
+            "buffers": [{{"byteLength": 36, "uri": "a.bin"}}, {{"byteLength": 60000, "uri": "./a.bin"}},
+                {{"byteLength": 72, "uri": "%61.bin"}}],
+            "bufferViews": [{{"buffer": 0, "byteLength": 36}}, {{"buffer": 1, "byteLength": 36}},
+                {{"buffer": 2, "byteLength": 36}}],
+            "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                {{"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                {{"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                {{"componentType": 5126, "count": {count}, "type": "VEC3"}},
+                {{"bufferView": 0, "componentType": 5121, "count": 0, "type": "SCALAR"}}]}}"#
+        )
+    };
+    // Three times three vertices and one face are not part of the count.
+    let bytes = 60_000 + text(200_000).len();
+    let most = 4 * bytes - 12;
+    let path = folder.file("a.gltf", text(most).as_bytes());
+    assert_eq!(load(&path).unwrap().positions.len(), most + 9);
+    let path = folder.file("a.gltf", text(most + 1).as_bytes());
+    let error = load(&path).unwrap_err();
+    let expected = Reason::OutOfProportion { elements: 4 * bytes as u64 + 1, bytes: bytes as u64 };
+    assert!(
+        matches!(&error, Error::Malformed { place: Place::File, reason, .. } if *reason == expected),
+        "{error}"
+    );
 }

@@ -39,6 +39,9 @@ fn corners_are_written_in_many_ways() {
         "\t f\t1\t2\t3 ",
         "f 1 2 3#comment",
         "f 1 \\\n 2 \\ \t\r\n 3",
+        "f 1 2 3 \\",
+        "f 1 2 3\\ ",
+        "f 1 2 3 \\\n",
         "f 0001 00000000000000002 3",
         "g a\nf 1 2 3\ng b",
     ] {
@@ -151,6 +154,40 @@ fn other_text_is_no_obj() {
     assert_eq!(read(CORNERS.as_bytes()).unwrap().positions.len(), 4);
 }
 
+#[test]
+fn junk_that_hits_a_keyword_by_chance_is_no_obj() {
+    let (line, reason) = refusal("\u{1}\u{2}\nl\0 7\nl 7\ng\nqq");
+    assert_eq!((line, matches!(reason, Reason::NotThisFormat { .. })), (1, true));
+    // As many lines that are known as are not, or a vertex: it is an OBJ.
+    assert_eq!(parse("what\nvn 0 0 1\ng a\nhow").notes[0].count, 2);
+    assert_eq!(parse("what\nhow\nv 0 0 0").positions.len(), 1);
+}
+
+/// What the ranges of faces and `polygon` say agrees with the counts.
+fn check_polygons(mesh: &Triangles) {
+    let mut sizes = BTreeMap::new();
+    let mut end = 0;
+    for (p, faces) in mesh.polygons().enumerate() {
+        assert_eq!(faces.start, end);
+        assert!(faces.clone().all(|face| mesh.polygon(face) == Some(p)));
+        *sizes.entry(faces.len() + 2).or_default() += 1;
+        end = faces.end;
+    }
+    assert_eq!((end, mesh.polygon(end)), (mesh.faces.len(), None));
+    assert_eq!(sizes, mesh.polygon_sizes);
+    assert_eq!(mesh.polygon_starts.is_some(), sizes.keys().any(|size| *size > 3));
+}
+
+#[test]
+fn faces_know_their_polygon() {
+    let mesh = parse(&format!("{CORNERS}f 1 2 3\nf 1 2\nf 1 2 3 4\nf 3 2 1\nf 4 3 2 1\n"));
+    assert_eq!(mesh.polygon_starts, Some(vec![0, 1, 3, 4]));
+    assert!(mesh.polygons().eq([0..1, 1..3, 3..4, 4..6]));
+    for text in ["", "f 1 2 3\nf 3 2 1", "f 1 2 3 4", "f 1 2 3 4 1 2 3 4 1\nf 1 2 3"] {
+        check_polygons(&parse(&format!("{CORNERS}{text}")));
+    }
+}
+
 /// The position of every corner of every face, as bits: tobj renumbers the vertices, but not these.
 fn our_corners(mesh: &Triangles) -> Vec<[u32; 3]> {
     mesh.faces.iter().flatten().map(|corner| mesh.positions[*corner as usize].map(f32::to_bits)).collect()
@@ -203,6 +240,11 @@ proptest! {
     fn generated_files_agree_with_tobj(text in any_obj()) {
         let models = common::tobj_models(text.as_bytes()).expect("tobj reads the plain parts of OBJ");
         prop_assert_eq!(our_corners(&parse(&text)), tobj_corners(&models));
+    }
+
+    #[test]
+    fn ranges_of_polygons_give_back_their_sizes(text in any_obj()) {
+        check_polygons(&parse(&text));
     }
 
     #[test]

@@ -1,11 +1,14 @@
 //! Positions and indices out of accessors. Every range is checked before a byte of the result is allocated.
 
+mod layout;
+
 use std::collections::BTreeSet;
 use std::path::Path;
 
 use ::gltf::json::accessor::{Accessor, ComponentType, GenericComponentType, IndexComponentType, Type};
 use ::gltf::json::validation::Checked;
 
+use self::layout::Layout;
 use super::buffers::Buffers;
 use super::component::{is_unsigned, unsigned, vector};
 use super::document::Document;
@@ -14,11 +17,12 @@ use crate::memory::reserve;
 use crate::{Error, Format, Item, Place, Reason};
 
 /// Vertices and faces that a byte of input may give. Primitives may share an accessor, so a document may
-/// stand for a mesh larger than itself: with k primitives on one list of vertices about k / 36 a byte. A
-/// hostile one could ask for their product; this stops it.
-const ELEMENTS_PER_BYTE: u64 = 16;
+/// stand for a mesh larger than itself: k primitives, one for each material, on one list of V vertices and 2 V
+/// faces are k V + 2 V elements out of 24 V bytes, or 44 V with normals and texture coordinates. This leaves
+/// room for about a hundred materials; a hostile document asks for thousands.
+const ELEMENTS_PER_BYTE: u64 = 4;
 /// Vertices and faces that are allowed in any case.
-const ELEMENTS_ALWAYS: u64 = 1 << 20;
+const ELEMENTS_ALWAYS: u64 = 1 << 16;
 
 /// A document with its buffers.
 pub(super) struct Source<'a> {
@@ -28,12 +32,11 @@ pub(super) struct Source<'a> {
     input_bytes: u64,
 }
 
-/// Where the elements of an accessor lie: `count` of them, `stride` bytes apart, all within the buffer.
-struct Layout {
-    buffer: usize,
-    start: usize,
-    stride: usize,
-    count: usize,
+/// The sparse part of an accessor.
+struct Sparse {
+    component: ComponentType,
+    indices: Layout,
+    values: Layout,
 }
 
 impl<'a> Source<'a> {
@@ -53,13 +56,13 @@ impl<'a> Source<'a> {
         self.buffers.kinds()
     }
 
-    /// Refuses a mesh out of all proportion to the input.
-    pub(super) fn check_proportion(&self, elements: u64, place: Place) -> Result<(), Error> {
-        let bytes = self.input_bytes.saturating_add(self.buffers.loaded_bytes());
+    /// Refuses a mesh out of all proportion to the document and the files that were read for it so far.
+    pub(super) fn check_proportion(&self, elements: u64) -> Result<(), Error> {
+        let bytes = self.input_bytes.saturating_add(self.buffers.file_bytes());
         if elements <= ELEMENTS_ALWAYS.max(bytes.saturating_mul(ELEMENTS_PER_BYTE)) {
             return Ok(());
         }
-        Err(self.malformed(place, Reason::OutOfProportion { elements, bytes }))
+        Err(self.malformed(Place::File, Reason::OutOfProportion { elements, bytes }))
     }
 
     /// How many elements an accessor says that it has.
@@ -72,8 +75,34 @@ impl<'a> Source<'a> {
         self.accessor(i, place).map(|accessor| accessor.buffer_view.is_some() || accessor.sparse.is_some())
     }
 
+    /// Refuses accessor `i` where it cannot give positions. Reads its buffers, but no element.
+    pub(super) fn check_positions(&mut self, i: usize, place: Place) -> Result<(), Error> {
+        let component = self.position_component(i, place)?;
+        self.check_ranges(i, place, 3 * component.size())
+    }
+
+    /// Refuses accessor `i` where it cannot give indices. Reads its buffers, but no element.
+    pub(super) fn check_indices(&mut self, i: usize, place: Place) -> Result<(), Error> {
+        let component = self.index_component(i, place)?;
+        self.check_ranges(i, place, component.size())
+    }
+
     /// Appends the positions in accessor `i`.
     pub(super) fn positions(&mut self, i: usize, place: Place, out: &mut Vec<[f32; 3]>) -> Result<(), Error> {
+        let component = self.position_component(i, place)?;
+        let normalized = self.accessor(i, place)?.normalized;
+        self.elements(i, place, 3 * component.size(), |bytes| vector(bytes, component, normalized), out)
+    }
+
+    /// The indices in accessor `i`.
+    pub(super) fn indices(&mut self, i: usize, place: Place) -> Result<Vec<u32>, Error> {
+        let component = self.index_component(i, place)?;
+        let mut out = Vec::new();
+        self.elements(i, place, component.size(), |bytes| unsigned(bytes, component), &mut out)?;
+        Ok(out)
+    }
+
+    fn position_component(&self, i: usize, place: Place) -> Result<ComponentType, Error> {
         let accessor = self.accessor(i, place)?;
         let component = self.component(accessor, i, place)?;
         if accessor.type_ != Checked::Valid(Type::Vec3) || component == ComponentType::U32 {
@@ -84,20 +113,21 @@ impl<'a> Source<'a> {
             let problem = "positions other than floats need KHR_mesh_quantization";
             return Err(self.bad(Item::Accessor(i), place, problem));
         }
-        let decode = |bytes: &[u8]| vector(bytes, component, accessor.normalized);
-        self.elements(i, place, 3 * component.size(), decode, out)
+        Ok(component)
     }
 
-    /// The indices in accessor `i`.
-    pub(super) fn indices(&mut self, i: usize, place: Place) -> Result<Vec<u32>, Error> {
+    fn index_component(&self, i: usize, place: Place) -> Result<ComponentType, Error> {
         let accessor = self.accessor(i, place)?;
         let component = self.component(accessor, i, place)?;
         if accessor.type_ != Checked::Valid(Type::Scalar) || !is_unsigned(component) {
             return Err(self.bad(Item::Accessor(i), place, "indices must be SCALAR of unsigned integers"));
         }
-        let mut out = Vec::new();
-        self.elements(i, place, component.size(), |bytes| unsigned(bytes, component), &mut out)?;
-        Ok(out)
+        Ok(component)
+    }
+
+    fn check_ranges(&mut self, i: usize, place: Place, size: usize) -> Result<(), Error> {
+        self.plain(i, place, size)?;
+        self.sparse(i, place, size).map(drop)
     }
 
     /// Appends the elements of accessor `i`, each decoded from `size` bytes.
@@ -109,98 +139,51 @@ impl<'a> Source<'a> {
         decode: impl Fn(&[u8]) -> T,
         out: &mut Vec<T>,
     ) -> Result<(), Error> {
-        let accessor = self.accessor(i, place)?;
-        let (first, count) = (out.len(), accessor.count.0);
-        match accessor.buffer_view {
-            Some(view) => {
-                let offset = accessor.byte_offset.unwrap_or_default().0;
-                let layout = self.layout(view.value(), offset, count, size, Item::Accessor(i), place)?;
-                reserve(out, layout.count)?;
-                out.extend(self.slices(&layout, size).map(&decode));
-            }
-            None => {
-                // All zero, by the standard. No byte backs them, so the proportion is all that bounds them.
-                self.check_proportion(count, place)?;
-                reserve(out, count as usize)?;
-                out.resize(first + count as usize, T::default());
-            }
+        let (first, count) = (out.len(), self.count(i, place)? as usize);
+        let plain = self.plain(i, place, size)?;
+        reserve(out, count)?;
+        match plain {
+            Some(layout) => out.extend(self.slices(&layout, size).map(&decode)),
+            // All zero, by the standard. No byte backs them: the proportion is all that bounds them.
+            None => out.resize(first + count, T::default()),
         }
-        self.replace_sparse(i, place, size, decode, &mut out[first..])
-    }
-
-    /// Overwrites the elements that the sparse part of accessor `i` lists.
-    fn replace_sparse<T>(
-        &mut self,
-        i: usize,
-        place: Place,
-        size: usize,
-        decode: impl Fn(&[u8]) -> T,
-        out: &mut [T],
-    ) -> Result<(), Error> {
-        let Some(sparse) = &self.accessor(i, place)?.sparse else { return Ok(()) };
-        let item = Item::Sparse(i);
-        let (indices, values) = (&sparse.indices, &sparse.values);
-        let Checked::Valid(IndexComponentType(component)) = indices.component_type else {
-            return Err(self.bad(item, place, "indices must be unsigned integers"));
-        };
-        let (count, width) = (sparse.count.0, component.size());
-        let names =
-            self.layout(indices.buffer_view.value(), indices.byte_offset.0, count, width, item, place)?;
-        let news = self.layout(values.buffer_view.value(), values.byte_offset.0, count, size, item, place)?;
-        for (name, new) in self.slices(&names, width).zip(self.slices(&news, size)) {
-            let slot = out.get_mut(unsigned(name, component) as usize);
-            *slot.ok_or_else(|| self.bad(item, place, "it replaces an element beyond the last"))? =
-                decode(new);
+        let Some(sparse) = self.sparse(i, place, size)? else { return Ok(()) };
+        let names = self.slices(&sparse.indices, sparse.component.size());
+        for (name, new) in names.zip(self.slices(&sparse.values, size)) {
+            let slot = out[first..].get_mut(unsigned(name, sparse.component) as usize);
+            let problem = "it replaces an element beyond the last";
+            *slot.ok_or_else(|| self.bad(Item::Sparse(i), place, problem))? = decode(new);
         }
         Ok(())
     }
 
-    /// Where `count` elements of `size` bytes lie in a bufferView, once that is known to be true.
-    fn layout(
-        &mut self,
-        view: usize,
-        offset: u64,
-        count: u64,
-        size: usize,
-        item: Item,
-        place: Place,
-    ) -> Result<Layout, Error> {
-        let views = &self.document.buffer_views;
-        let buffer_view =
-            views.get(view).ok_or_else(|| self.missing(Item::BufferView(view), views.len(), place))?;
-        let buffer = buffer_view.buffer.value();
-        if buffer >= self.buffers.count() {
-            return Err(self.missing(Item::Buffer(buffer), self.buffers.count(), place));
-        }
-        let stride = buffer_view.byte_stride.map_or(0, |stride| stride.0 as u64);
-        let stride = if stride == 0 { size as u64 } else { stride };
-        if stride < size as u64 {
-            return Err(self.bad(Item::BufferView(view), place, "elements overlap: byteStride is too small"));
-        }
-        let needed = match count {
-            0 => 0,
-            _ => (count - 1).saturating_mul(stride).saturating_add(offset).saturating_add(size as u64),
-        };
-        self.check_fits(item, needed, buffer_view.byte_length.0, place)?;
-        self.buffers.load(buffer)?;
-        let view_offset = buffer_view.byte_offset.unwrap_or_default().0;
-        let available = self.buffers.bytes(buffer).len() as u64;
-        self.check_fits(item, needed.saturating_add(view_offset), available, place)?;
-        // All of these are at most `available`, or are not used where there is no element.
-        let start = if count == 0 { 0 } else { (view_offset + offset) as usize };
-        let stride = usize::try_from(stride).unwrap_or(usize::MAX);
-        Ok(Layout { buffer, start, stride, count: count as usize })
+    /// Where the elements of accessor `i` lie; `None` where no byte backs them.
+    fn plain(&mut self, i: usize, place: Place, size: usize) -> Result<Option<Layout>, Error> {
+        let accessor = self.accessor(i, place)?;
+        let Some(view) = accessor.buffer_view else { return Ok(None) };
+        let (offset, count) = (accessor.byte_offset.unwrap_or_default().0, accessor.count.0);
+        self.layout(view.value(), offset, count, size, Item::Accessor(i), place).map(Some)
     }
 
-    /// The bytes of each element.
-    fn slices(&self, layout: &Layout, size: usize) -> impl Iterator<Item = &[u8]> {
-        let all = self.buffers.bytes(layout.buffer);
-        // The last element may end before its stride does.
-        let end = match layout.count {
-            0 => layout.start,
-            count => layout.start + (count - 1) * layout.stride + size,
+    /// Where the elements lie that replace some of accessor `i`.
+    fn sparse(&mut self, i: usize, place: Place, size: usize) -> Result<Option<Sparse>, Error> {
+        let accessor = self.accessor(i, place)?;
+        let Some(sparse) = &accessor.sparse else { return Ok(None) };
+        let (item, count) = (Item::Sparse(i), sparse.count.0);
+        let (indices, values) = (&sparse.indices, &sparse.values);
+        let Checked::Valid(IndexComponentType(component)) = indices.component_type else {
+            return Err(self.bad(item, place, "indices must be unsigned integers"));
         };
-        all[layout.start..end].chunks(layout.stride).map(move |chunk| &chunk[..size])
+        // They would be work that the proportion does not see.
+        if count > accessor.count.0 {
+            return Err(self.bad(item, place, "it replaces more elements than there are"));
+        }
+        let width = component.size();
+        let indices =
+            self.layout(indices.buffer_view.value(), indices.byte_offset.0, count, width, item, place)?;
+        let values =
+            self.layout(values.buffer_view.value(), values.byte_offset.0, count, size, item, place)?;
+        Ok(Some(Sparse { component, indices, values }))
     }
 
     fn accessor(&self, i: usize, place: Place) -> Result<&'a Accessor, Error> {
@@ -213,13 +196,6 @@ impl<'a> Source<'a> {
             Checked::Valid(GenericComponentType(component)) => Ok(component),
             Checked::Invalid => Err(self.bad(Item::Accessor(i), place, "unknown componentType")),
         }
-    }
-
-    fn check_fits(&self, item: Item, needed: u64, available: u64, place: Place) -> Result<(), Error> {
-        if needed <= available {
-            return Ok(());
-        }
-        Err(self.malformed(place, Reason::TooShort { item, needed, available }))
     }
 
     fn missing(&self, item: Item, count: usize, place: Place) -> Error {

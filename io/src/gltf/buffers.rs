@@ -1,8 +1,8 @@
 //! The bytes of each buffer: from the BIN chunk, a data URI, or a file in the document's folder.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
-use std::path::Path;
+use std::collections::{BTreeSet, HashMap};
+use std::path::{Path, PathBuf};
 
 use ::gltf::json::Buffer;
 use base64::Engine;
@@ -19,8 +19,17 @@ pub(super) struct Buffers<'a> {
     format: Format,
     bin: Option<&'a [u8]>,
     folder: Option<&'a Path>,
-    loaded: Vec<Option<Cow<'a, [u8]>>>,
-    loaded_bytes: u64,
+    loaded: Vec<Option<Bytes<'a>>>,
+    /// What was read of each file. Buffers that name the same file share it: a hostile document names a large
+    /// one a thousand times.
+    files: Vec<Vec<u8>>,
+    file_of: HashMap<PathBuf, usize>,
+}
+
+/// The bytes of a buffer, or the number of the file that begins with them.
+enum Bytes<'a> {
+    Here(Cow<'a, [u8]>),
+    File(usize),
 }
 
 impl<'a> Buffers<'a> {
@@ -31,16 +40,16 @@ impl<'a> Buffers<'a> {
         folder: Option<&'a Path>,
     ) -> Self {
         let loaded = buffers.iter().map(|_| None).collect();
-        Self { buffers, format, bin, folder, loaded, loaded_bytes: 0 }
+        Self { buffers, format, bin, folder, loaded, files: Vec::new(), file_of: HashMap::new() }
     }
 
     pub(super) fn count(&self) -> usize {
         self.buffers.len()
     }
 
-    /// Bytes of the buffers so far.
-    pub(super) fn loaded_bytes(&self) -> u64 {
-        self.loaded_bytes
+    /// Bytes of the files that were read so far; all other buffers are part of the document.
+    pub(super) fn file_bytes(&self) -> u64 {
+        self.files.iter().map(|file| file.len() as u64).sum()
     }
 
     /// The kinds of the buffers so far.
@@ -54,42 +63,70 @@ impl<'a> Buffers<'a> {
         if self.loaded[i].is_some() {
             return Ok(());
         }
-        let mut bytes = self.fetch(i)?;
-        let (needed, available) = (self.buffers[i].byte_length.0, bytes.len() as u64);
+        let bytes = self.fetch(i)?;
+        let (needed, available) = (self.buffers[i].byte_length.0, self.all(&bytes).len() as u64);
         if available < needed {
             return Err(self.malformed(i, Reason::TooShort { item: Item::Buffer(i), needed, available }));
         }
-        // What follows is padding of the chunk.
-        match &mut bytes {
-            Cow::Borrowed(bytes) => *bytes = &bytes[..needed as usize],
-            Cow::Owned(bytes) => bytes.truncate(needed as usize),
-        }
-        self.loaded_bytes += needed;
         self.loaded[i] = Some(bytes);
         Ok(())
     }
 
     /// The bytes of a buffer after [`load`](Self::load).
     pub(super) fn bytes(&self, i: usize) -> &[u8] {
-        self.loaded[i].as_deref().unwrap_or_default()
+        // What follows is padding of the chunk, or belongs to another buffer.
+        let bytes = self.loaded[i]
+            .as_ref()
+            .and_then(|bytes| self.all(bytes).get(..self.buffers[i].byte_length.0 as usize));
+        bytes.unwrap_or_default()
     }
 
-    fn fetch(&self, i: usize) -> Result<Cow<'a, [u8]>, Error> {
-        let refuse =
-            |uri: &str, problem| self.malformed(i, Reason::Uri { uri: quote(uri.as_bytes()), problem });
+    fn all<'b>(&'b self, bytes: &'b Bytes<'a>) -> &'b [u8] {
+        match bytes {
+            Bytes::Here(bytes) => bytes,
+            Bytes::File(file) => &self.files[*file],
+        }
+    }
+
+    fn fetch(&mut self, i: usize) -> Result<Bytes<'a>, Error> {
         let buffers: &'a [Buffer] = self.buffers;
         let Some(uri) = buffers[i].uri.as_deref() else {
-            return self.chunk(i).map(Cow::Borrowed);
+            return self.chunk(i).map(|chunk| Bytes::Here(chunk.into()));
         };
-        if let Some(data) = uri.strip_prefix("data:") {
-            return decode(data).map(Cow::Owned).map_err(|problem| refuse(uri, problem));
+        let refuse = |buffers: &Self, problem| {
+            buffers.malformed(i, Reason::Uri { uri: quote(uri.as_bytes()), problem })
+        };
+        if let Some(data) = data_of(uri) {
+            let decoded = decode(data).map_err(|problem| refuse(self, problem))?;
+            return Ok(Bytes::Here(decoded.into()));
         }
         let folder =
-            self.folder.ok_or_else(|| refuse(uri, "bytes in memory have no folder to find it in"))?;
-        beside::read(folder, uri, buffers[i].byte_length.0).map(Cow::Owned).map_err(|refusal| match refusal {
-            Refusal::Uri(problem) => refuse(uri, problem),
+            self.folder.ok_or_else(|| refuse(self, "bytes in memory have no folder to find it in"))?;
+        self.file(folder, uri, buffers[i].byte_length.0).map(Bytes::File).map_err(|refusal| match refusal {
+            Refusal::Uri(problem) => refuse(self, problem),
             Refusal::Io(path, source) => Error::Io { path, named_in: None, source },
         })
+    }
+
+    /// The number of a file, of which `needed` bytes are read if it has as many.
+    fn file(&mut self, folder: &Path, uri: &str, needed: u64) -> Result<usize, Refusal> {
+        let found = beside::find(folder, uri)?;
+        match self.file_of.get(&found.real) {
+            None => {
+                self.files.push(found.read(needed)?);
+                self.file_of.insert(found.real, self.files.len() - 1);
+                Ok(self.files.len() - 1)
+            }
+            Some(&file) => {
+                if (self.files[file].len() as u64) < needed {
+                    // As much as any buffer may need: no file is read a third time.
+                    let most = self.buffers.iter().map(|buffer| buffer.byte_length.0).max();
+                    self.files[file] = Vec::new();
+                    self.files[file] = found.read(most.unwrap_or(needed))?;
+                }
+                Ok(file)
+            }
+        }
     }
 
     /// The BIN chunk, which only the first buffer may stand for.
@@ -104,10 +141,15 @@ impl<'a> Buffers<'a> {
     }
 }
 
+/// What follows `data:` in a data URI; schemes are the same in upper and lower case.
+pub(super) fn data_of(uri: &str) -> Option<&str> {
+    uri.split_once(':').filter(|(scheme, _)| scheme.eq_ignore_ascii_case("data")).map(|(_, data)| data)
+}
+
 /// The bytes of a data URI behind `data:`.
 fn decode(data: &str) -> Result<Vec<u8>, &'static str> {
     let (kind, text) = data.split_once(',').ok_or("the data URI has no comma")?;
-    if !kind.ends_with(";base64") {
+    if !kind.rsplit_once(';').is_some_and(|(_, encoding)| encoding.eq_ignore_ascii_case("base64")) {
         return Err("only data URIs in base64 are read");
     }
     let padding = GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);

@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 use std::fmt;
 
+use super::buffers::data_of;
+
 /// The parts of a glTF document that a mesh was read from.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
@@ -29,7 +31,7 @@ impl BufferKind {
     pub(super) fn of(uri: Option<&str>) -> Self {
         match uri {
             None => Self::Chunk,
-            Some(uri) if uri.starts_with("data:") => Self::DataUri,
+            Some(uri) if data_of(uri).is_some() => Self::DataUri,
             Some(_) => Self::File,
         }
     }

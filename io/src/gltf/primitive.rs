@@ -1,11 +1,13 @@
 //! Primitives to triangles.
 
+use std::collections::HashMap;
+
 use ::gltf::json::mesh::{self, Primitive, Semantic};
 use ::gltf::json::validation::Checked;
 
 use super::accessor::Source;
 use super::origin::Origin;
-use crate::memory::reserve;
+use crate::memory::{push, reserve};
 use crate::triangles::skip;
 use crate::{Error, Place, Reason, Skipped, Triangles};
 
@@ -19,21 +21,34 @@ enum Mode {
     Fan,
 }
 
-/// The mesh so far.
+/// A primitive that will be read: its accessors are sound.
+struct Plan {
+    mode: Mode,
+    positions: usize,
+    indices: Option<usize>,
+    place: Place,
+}
+
+/// The mesh so far. All primitives are counted before the first one is decoded: what a document asks for in all
+/// is known while it has cost nothing yet.
 pub(super) struct Assembly<'a> {
     source: Source<'a>,
-    /// How many primitives were read.
-    primitives: usize,
+    plans: Vec<Plan>,
+    vertices: u64,
+    faces: u64,
+    /// Where the positions of an accessor were put first.
+    decoded: HashMap<usize, usize>,
     out: Triangles,
 }
 
 impl<'a> Assembly<'a> {
     pub(super) fn new(source: Source<'a>) -> Self {
-        Self { source, primitives: 0, out: Triangles::default() }
+        let (plans, decoded, out) = (Vec::new(), HashMap::new(), Triangles::default());
+        Self { source, plans, vertices: 0, faces: 0, decoded, out }
     }
 
-    /// Appends the vertices and triangles of a primitive, or a note on why it has none.
-    pub(super) fn add(&mut self, primitive: &Primitive, place: Place) -> Result<(), Error> {
+    /// Counts the vertices and triangles of a primitive, or notes why it has none.
+    pub(super) fn plan(&mut self, primitive: &Primitive, place: Place) -> Result<(), Error> {
         let mode = match Mode::of(primitive.mode) {
             Ok(mode) => mode,
             Err(what) => {
@@ -41,33 +56,43 @@ impl<'a> Assembly<'a> {
                 return Ok(());
             }
         };
-        let Some(position) = primitive.attributes.get(&Checked::Valid(Semantic::Positions)) else {
+        let Some(positions) = primitive.attributes.get(&Checked::Valid(Semantic::Positions)) else {
             skip(&mut self.out.notes, Skipped::NoPositions, 1, place);
             return Ok(());
         };
-        let position = position.value();
-        self.primitives += 1;
-        self.check_draco(primitive, position, place)?;
-        let base = self.out.positions.len();
-        self.add_positions(position, place)?;
-        let count = self.out.positions.len() - base;
-        match primitive.indices {
-            Some(indices) => {
-                let corners = self.source.indices(indices.value(), place)?;
-                self.check_corners(&corners, count, place)?;
-                self.add_faces(mode, corners.len(), |i| base as u32 + corners[i], place)
-            }
-            None => self.add_faces(mode, count, |i| (base + i) as u32, place),
+        let positions = positions.value();
+        self.check_draco(primitive, positions, place)?;
+        let vertices = self.source.count(positions, place)?;
+        self.vertices = self.sum(self.vertices, vertices, place)?;
+        self.source.check_positions(positions, place)?;
+        let indices = primitive.indices.map(|indices| indices.value());
+        let corners = match indices {
+            Some(indices) => self.source.count(indices, place)?,
+            None => vertices,
+        };
+        self.faces = self.sum(self.faces, mode.face_count(corners), place)?;
+        if let Some(indices) = indices {
+            self.source.check_indices(indices, place)?;
         }
+        let loose = mode.loose_corners(corners);
+        if loose > 0 {
+            skip(&mut self.out.notes, Skipped::LooseCorners, loose as usize, place);
+        }
+        push(&mut self.plans, Plan { mode, positions, indices, place })
     }
 
-    pub(super) fn finish(mut self) -> Triangles {
+    /// Decodes all that was planned.
+    pub(super) fn finish(mut self) -> Result<Triangles, Error> {
+        self.source.check_proportion(self.vertices.saturating_add(self.faces))?;
+        reserve(&mut self.out.positions, self.vertices as usize)?;
+        reserve(&mut self.out.faces, self.faces as usize)?;
+        let plans = std::mem::take(&mut self.plans);
+        plans.iter().try_for_each(|plan| self.add(plan))?;
         if !self.out.faces.is_empty() {
             self.out.polygon_sizes.insert(3, self.out.faces.len());
         }
-        let buffers = self.source.buffer_kinds();
-        self.out.gltf = Some(Origin { primitives: self.primitives, buffers });
-        self.out
+        self.out.gltf = Some(Origin { primitives: plans.len(), buffers: self.source.buffer_kinds() });
+        Ok(self.out)
     }
 
     /// A primitive may hold its data twice, plain and compressed. Without the plain data it would be read
@@ -81,11 +106,39 @@ impl<'a> Assembly<'a> {
         Err(Error::Unsupported { format: self.source.format, path: None, place, feature: DRACO.to_owned() })
     }
 
-    fn add_positions(&mut self, accessor: usize, place: Place) -> Result<(), Error> {
-        let more = self.source.count(accessor, place)?;
-        self.check_size(self.out.positions.len() as u64, more, place)?;
-        self.source.positions(accessor, place, &mut self.out.positions)?;
-        self.source.check_proportion(self.element_count(), place)
+    fn sum(&self, count: u64, more: u64, place: Place) -> Result<u64, Error> {
+        let sum = count.checked_add(more).filter(|sum| *sum <= u64::from(u32::MAX));
+        sum.ok_or_else(|| self.source.malformed(place, Reason::TooMany))
+    }
+
+    fn add(&mut self, plan: &Plan) -> Result<(), Error> {
+        let base = self.out.positions.len();
+        self.add_positions(plan)?;
+        let count = self.out.positions.len() - base;
+        let Some(indices) = plan.indices else {
+            self.add_faces(plan.mode, count, |i| (base + i) as u32);
+            return Ok(());
+        };
+        let corners = self.source.indices(indices, plan.place)?;
+        self.check_corners(&corners, count, plan.place)?;
+        self.add_faces(plan.mode, corners.len(), |i| base as u32 + corners[i]);
+        Ok(())
+    }
+
+    /// Appends the positions of a primitive; those that other primitives have as well are decoded once.
+    fn add_positions(&mut self, plan: &Plan) -> Result<(), Error> {
+        let positions = &mut self.out.positions;
+        match self.decoded.get(&plan.positions) {
+            Some(&first) => {
+                let count = self.source.count(plan.positions, plan.place)? as usize;
+                positions.extend_from_within(first..first + count);
+                Ok(())
+            }
+            None => {
+                self.decoded.insert(plan.positions, positions.len());
+                self.source.positions(plan.positions, plan.place, positions)
+            }
+        }
     }
 
     fn check_corners(&self, corners: &[u32], count: usize, place: Place) -> Result<(), Error> {
@@ -99,34 +152,9 @@ impl<'a> Assembly<'a> {
     }
 
     /// Appends the triangles of `count` corners, the i-th of which is `corner(i)`.
-    fn add_faces(
-        &mut self,
-        mode: Mode,
-        count: usize,
-        corner: impl Fn(usize) -> u32,
-        place: Place,
-    ) -> Result<(), Error> {
-        let faces = mode.face_count(count);
-        self.check_size(self.out.faces.len() as u64, faces as u64, place)?;
-        self.source.check_proportion(self.element_count() + faces as u64, place)?;
-        reserve(&mut self.out.faces, faces)?;
+    fn add_faces(&mut self, mode: Mode, count: usize, corner: impl Fn(usize) -> u32) {
+        let faces = mode.face_count(count as u64) as usize;
         self.out.faces.extend((0..faces).map(|i| mode.corners(i).map(&corner)));
-        let loose = mode.loose_corners(count);
-        if loose > 0 {
-            skip(&mut self.out.notes, Skipped::LooseCorners, loose, place);
-        }
-        Ok(())
-    }
-
-    fn element_count(&self) -> u64 {
-        (self.out.positions.len() + self.out.faces.len()) as u64
-    }
-
-    fn check_size(&self, count: u64, more: u64, place: Place) -> Result<(), Error> {
-        if count.saturating_add(more) <= u64::from(u32::MAX) {
-            return Ok(());
-        }
-        Err(self.source.malformed(place, Reason::TooMany))
     }
 }
 
@@ -142,14 +170,14 @@ impl Mode {
         }
     }
 
-    fn face_count(self, corners: usize) -> usize {
+    fn face_count(self, corners: u64) -> u64 {
         match self {
             Self::List => corners / 3,
             Self::Strip | Self::Fan => corners.saturating_sub(2),
         }
     }
 
-    fn loose_corners(self, corners: usize) -> usize {
+    fn loose_corners(self, corners: u64) -> u64 {
         match self {
             Self::List => corners % 3,
             Self::Strip | Self::Fan if corners < 3 => corners,

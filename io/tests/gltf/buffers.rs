@@ -21,6 +21,8 @@ fn buffers_come_from_data_uris() {
     assert_eq!(mesh.faces, [[0, 1, 2]]);
     assert!(mesh.gltf.unwrap().buffers.into_iter().eq([BufferKind::DataUri]));
     assert!(read(format!("data:;base64,{zeros}AA==")).is_ok());
+    let mesh = read(format!("DATA:;Base64,{zeros}")).unwrap();
+    assert!(mesh.gltf.unwrap().buffers.into_iter().eq([BufferKind::DataUri]));
     for (uri, problem) in [
         (format!("data:;base64,{}", &zeros[..44]), "buffer 0 needs 36 bytes, but there are 33"),
         (format!("data:;base64,{}*", &zeros[..47]), "the data URI is not base64"),
@@ -31,6 +33,26 @@ fn buffers_come_from_data_uris() {
         let error = read(uri).unwrap_err();
         assert!(matches!(error, Error::Malformed { place: Place::Buffer(0), .. }), "{error}");
         assert!(error.to_string().contains(problem), "{error}");
+        assert_eq!(error.to_string().matches("buffer 0").count(), 1, "{error}");
+    }
+}
+
+#[test]
+fn a_buffer_is_named_once_in_an_error() {
+    let text = triangle_at("").replace(", \"uri\": \"\"", "");
+    let error = gltf::read(text.as_bytes()).unwrap_err();
+    assert!(matches!(error, Error::Malformed { place: Place::Buffer(0), .. }));
+    assert_eq!(error.to_string(), "glTF: buffer 0: it has no uri, and there is no BIN chunk for it");
+}
+
+#[test]
+fn names_of_buffers_in_errors_are_short_and_printable() {
+    let folder = std::env::temp_dir();
+    for uri in ["x".repeat(5_000), "\\u001b[2J".into()] {
+        let error = gltf::read_beside(triangle_at(&uri).as_bytes(), &folder).unwrap_err();
+        let text = error.to_string();
+        assert!(matches!(error, Error::Malformed { reason: Reason::Uri { .. }, .. }), "{text}");
+        assert!(text.len() < 200 && !text.contains(char::is_control), "{text}");
     }
 }
 

@@ -59,11 +59,28 @@ fn broken_containers_are_refused() {
 }
 
 #[test]
+fn a_document_may_ask_for_a_reader_of_version_2_0_at_most() {
+    let text = |version: &str| format!(r#"{{"asset": {{"version": "2.0", "minVersion": "{version}"}}}}"#);
+    assert!(["2.0", "2", "1.9"].into_iter().all(|version| is_empty(&parse(text(version).as_bytes()))));
+    for version in ["2.1", "3.0", "10", "2.x", ""] {
+        let expected = Reason::MinVersion { version: version.into() };
+        assert_eq!(refusal(text(version).as_bytes()), (Place::File, expected));
+    }
+}
+
+#[test]
 fn depth_does_not_exhaust_the_stack() {
     let nested = format!("{}{}", "[".repeat(100_000), "]".repeat(100_000));
     assert!(is_empty(&parse(document(&format!(r#""extras": {nested}"#)).as_bytes())));
     let (place, reason) = refusal(document(&format!(r#""meshes": {nested}"#)).as_bytes());
     assert!(place == Place::File && matches!(reason, Reason::Json { .. }), "{reason}");
+}
+
+#[test]
+fn a_long_string_is_not_quoted_whole() {
+    let text = document(&format!(r#""meshes": "{}""#, "x".repeat(5_000)));
+    let Reason::Json { message } = refusal(text.as_bytes()).1 else { panic!() };
+    assert!(message.len() < 100 && message.ends_with("... at line 1 column 5042"), "{message}");
 }
 
 #[test]
