@@ -32,8 +32,8 @@ pub(crate) struct Inspection {
     pub(crate) polygon_sizes: BTreeMap<usize, usize>,
     pub(crate) triangles: usize,
     pub(crate) finite_coordinates: bool,
-    pub(crate) bbox_min: Option<[f32; 3]>,
-    pub(crate) bbox_max: Option<[f32; 3]>,
+    pub(crate) bbox_min: Option<[f64; 3]>,
+    pub(crate) bbox_max: Option<[f64; 3]>,
     pub(crate) area: Option<f64>,
     pub(crate) signed_volume: Option<f64>,
     /// How many vertices have so many edges.
@@ -97,8 +97,8 @@ impl Inspection {
             polygon_sizes: mesh.polygon_sizes.clone(),
             triangles: faces.len(),
             finite_coordinates: geometry::are_finite(positions),
-            bbox_min: geometry.map(|g| g.bbox_min),
-            bbox_max: geometry.map(|g| g.bbox_max),
+            bbox_min: geometry.map(|g| g.bbox_min.map(shortest)),
+            bbox_max: geometry.map(|g| g.bbox_max.map(shortest)),
             area: geometry.map(|g| g.area),
             signed_volume: geometry.map(|g| g.signed_volume),
             degree_histogram: degrees(positions.len(), faces),
@@ -134,8 +134,17 @@ impl Inspection {
             let document = gltf::Document::of(bytes);
             self.primitives = Some(document.primitives);
             self.gltf_buffers = Some(document.buffers.into_iter().collect());
+            // A glTF file has 32-bit floats and no decimals: each is exactly the number that is there.
+            let exact = |point: [f64; 3]| point.map(|x| f64::from(x as f32));
+            self.bbox_min = self.bbox_min.map(exact);
+            self.bbox_max = self.bbox_max.map(exact);
         }
     }
+}
+
+/// The number with the fewest decimals that rounds to `x`: most often what a file of decimals has.
+fn shortest(x: f32) -> f64 {
+    x.to_string().parse().unwrap_or(f64::from(x))
 }
 
 impl Topology {
@@ -195,6 +204,18 @@ impl Serialize for Topology {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn coordinates_are_decimals_or_exact_as_the_file_has_them() {
+        let exact = 4_891.903_808_593_75;
+        let positions = vec![[exact as f32, 0.1, -0.0]];
+        let mut inspection = Inspection::of_mesh(&Triangles { positions, ..Triangles::default() });
+        assert_eq!(inspection.bbox_max, Some([4_891.904, 0.1, 0.0]));
+        inspection.add_document(Format::Obj, b"");
+        assert_eq!(inspection.bbox_max, Some([4_891.904, 0.1, 0.0]));
+        inspection.add_document(Format::Glb, b"");
+        assert_eq!(inspection.bbox_max, Some([exact, f64::from(0.1_f32), 0.0]));
+    }
 
     #[test]
     fn degrees_count_edges_once_and_isolated_vertices() {
