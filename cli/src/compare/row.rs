@@ -22,8 +22,8 @@ pub(crate) struct Rows<'a> {
     mismatches: Vec<String>,
 }
 
-const AS_IT_IS: &str = "as it is";
-const REPAIRED: &str = "repaired";
+pub(crate) const AS_IT_IS: &str = "as it is";
+pub(crate) const REPAIRED: &str = "repaired";
 const NOT_BUILT: &str = "not built";
 
 impl<'a> Rows<'a> {
@@ -35,7 +35,7 @@ impl<'a> Rows<'a> {
         };
         Self {
             case,
-            clock: Clock { budget: Duration::from_millis(options.budget) },
+            clock: Clock { budget: Duration::from_millis(options.budget), gives_up: false },
             is_small: case.as_it_is.soup.faces.len() <= options.quadratic_up_to,
             rows: Vec::new(),
             first: states.into_iter().flat_map(answers).collect(),
@@ -130,9 +130,9 @@ impl<'a> Rows<'a> {
             vertices: soup.vertex_count,
             triangles: soup.faces.len(),
             edges: counts.edges,
+            random_vertices: sample.starts.clone(),
             defects: case.defects.clone(),
             repair: case.repaired.as_ref().map(|(_, repair)| repair.clone()),
-            random_vertices: sample.starts.clone(),
             backends: rows,
             mismatches,
         }
@@ -146,9 +146,9 @@ pub(crate) fn without_faces(name: String, vertices: usize) -> Mesh {
         vertices,
         triangles: 0,
         edges: 0,
+        random_vertices: Vec::new(),
         defects: "nothing to measure on".into(),
         repair: None,
-        random_vertices: Vec::new(),
         backends: Vec::new(),
         mismatches: Vec::new(),
     }
