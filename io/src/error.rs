@@ -12,10 +12,12 @@ use crate::{Format, Item, Place};
 #[non_exhaustive]
 pub enum Error {
     /// The file, or one that it refers to, could not be read.
-    #[error("{}: {source}", path.display())]
+    #[error("{}{}: {source}", Colon(named_in), path.display())]
     Io {
         /// The file that could not be read.
         path: PathBuf,
+        /// The document that refers to it; `None` where it is the file that [`load`](crate::load) was asked for.
+        named_in: Option<PathBuf>,
         /// What the system said.
         source: io::Error,
     },
@@ -60,9 +62,10 @@ pub enum Error {
 }
 
 impl Error {
-    /// The same error, naming the file; errors of the system name theirs already.
+    /// The same error, naming the file; errors of the system name the one that they are about already.
     pub(crate) fn in_file(mut self, file: &Path) -> Self {
         match &mut self {
+            Self::Io { path, named_in, .. } if *path != *file => *named_in = Some(file.to_owned()),
             Self::Io { .. } => {}
             Self::UnknownFormat { path }
             | Self::Malformed { path, .. }

@@ -20,6 +20,7 @@ mod component;
 mod document;
 mod glb;
 mod narrow;
+mod origin;
 mod primitive;
 
 use std::path::Path;
@@ -28,6 +29,8 @@ use self::accessor::Source;
 use self::document::Document;
 use self::primitive::Assembly;
 use crate::{Error, Format, Place, Reason, Triangles};
+
+pub use self::origin::{BufferKind, Origin};
 
 /// The first bytes of every GLB.
 pub(crate) const MAGIC: &[u8] = b"glTF";

@@ -46,6 +46,6 @@ mod triangles;
 
 pub use error::{Error, Reason};
 pub use format::Format;
-pub use load::{load, read, read_as};
+pub use load::{bytes_of, load, read, read_as, read_at};
 pub use place::{Item, Place};
 pub use triangles::{Note, Skipped, Triangles};

@@ -12,15 +12,37 @@ use crate::{Error, Format, Triangles, gltf, obj};
 /// [`gltf::read_beside`]).
 ///
 /// # Errors
-/// [`Error::Io`] if the file cannot be read or is a directory, [`Error::UnknownFormat`], or what the
+/// [`Error::Io`] if the file cannot be read or is not a regular one, [`Error::UnknownFormat`], or what the
 /// format's reader says. All of them name the file.
 pub fn load(path: impl AsRef<Path>) -> Result<Triangles, Error> {
     let path = path.as_ref();
-    let bytes = read_file(path)?;
+    read_at(&bytes_of(path)?, path)
+}
+
+/// All bytes of the file at `path`, for [`read_at`] and whatever else they are wanted for.
+///
+/// # Errors
+/// [`Error::Io`] if the file cannot be read or is not a regular one: a pipe or a device might never end.
+pub fn bytes_of(path: impl AsRef<Path>) -> Result<Vec<u8>, Error> {
+    let path = path.as_ref();
+    check_file(path).and_then(|()| fs::read(path)).map_err(|source| Error::Io {
+        path: path.to_owned(),
+        named_in: None,
+        source,
+    })
+}
+
+/// Reads the mesh in `bytes`, which are the content of the file at `path`: just what [`load`] does, where the
+/// bytes are at hand. The file itself is not opened.
+///
+/// # Errors
+/// As [`load`].
+pub fn read_at(bytes: &[u8], path: impl AsRef<Path>) -> Result<Triangles, Error> {
+    let path = path.as_ref();
     let folder = path.parent().unwrap_or(Path::new(""));
-    Format::of(path, &bytes)
+    Format::of(path, bytes)
         .ok_or(Error::UnknownFormat { path: None })
-        .and_then(|format| dispatch(&bytes, format, Some(folder)))
+        .and_then(|format| dispatch(bytes, format, Some(folder)))
         .map_err(|error| error.in_file(path))
 }
 
@@ -48,11 +70,15 @@ fn dispatch(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Trian
     }
 }
 
-pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, Error> {
-    // Reading a directory fails on some systems only, and in words of their own.
-    if path.is_dir() {
-        let source = io::Error::new(io::ErrorKind::IsADirectory, "this is a directory, not a mesh file");
-        return Err(Error::Io { path: path.to_owned(), source });
+/// Regular files only, in words of our own: systems differ in what they say of a directory.
+fn check_file(path: &Path) -> io::Result<()> {
+    let kind = fs::metadata(path)?.file_type();
+    if kind.is_dir() {
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "this is a directory, not a mesh file"));
     }
-    fs::read(path).map_err(|source| Error::Io { path: path.to_owned(), source })
+    if !kind.is_file() {
+        let problem = "this is not a regular file; a pipe or a device may have no end";
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
+    }
+    Ok(())
 }

@@ -76,7 +76,7 @@ impl<'a> Libraries<'a> {
 
 fn unread(name: &str, refusal: Refusal) -> Error {
     match refusal {
-        Refusal::Io(path, source) => Error::Io { path, source },
+        Refusal::Io(path, source) => Error::Io { path, named_in: None, source },
         Refusal::Uri(problem) => {
             let reason = Reason::Uri { uri: quote(name.as_bytes()), problem };
             Error::malformed(Format::Obj, Place::File, reason)

@@ -11,60 +11,16 @@
 //!   with an unknown keyword: [`Triangles::notes`] counts them.
 //! - A backslash continues a line; LF, CRLF and CR end one. Names and comments may be in any encoding.
 
+mod keyword;
+
+pub(crate) use self::keyword::begins_with_keyword;
+use self::keyword::{element, is_other};
 use crate::error::quote;
 use crate::memory::push;
 use crate::number::{f32_of, index_prefix};
 use crate::text::Scanner;
 use crate::triangles::skip;
 use crate::{Error, Format, Note, Place, Reason, Skipped, Triangles};
-
-/// Elements other than polygons: skipped, with a note.
-const ELEMENTS: [&str; 5] = ["p", "l", "curv", "curv2", "surf"];
-
-/// Keywords whose lines have nothing to do with positions or faces: skipped without a word.
-const OTHERS: [&str; 41] = [
-    "vt",
-    "vn",
-    "vp",
-    "g",
-    "o",
-    "s",
-    "mg",
-    "usemtl",
-    "mtllib",
-    "usemap",
-    "maplib",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "lod",
-    "shadow_obj",
-    "trace_obj",
-    "ctech",
-    "stech",
-    "cstype",
-    "deg",
-    "bmat",
-    "step",
-    "parm",
-    "trim",
-    "hole",
-    "scrv",
-    "sp",
-    "end",
-    "con",
-    "call",
-    "csh",
-    "bsp",
-    "bzp",
-    "cdc",
-    "cdp",
-    "res",
-    "mat",
-    "material",
-    "property",
-    "scmp",
-];
 
 /// Reads the vertices and faces of an OBJ file. Linear in its size; besides the result it takes no memory.
 ///
@@ -86,19 +42,6 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
     }
 }
 
-/// Whether the first word outside comments is an OBJ keyword.
-pub(crate) fn begins_with_keyword(bytes: &[u8]) -> bool {
-    let mut scanner = Scanner::new(bytes);
-    while !scanner.is_at_end() {
-        match scanner.word() {
-            Some(b"v" | b"f" | b"fo") => return true,
-            Some(word) => return find(&ELEMENTS, word).or(find(&OTHERS, word)).is_some(),
-            None => scanner.end_line(),
-        }
-    }
-    false
-}
-
 fn count_vertices(bytes: &[u8]) -> usize {
     let mut scanner = Scanner::new(bytes);
     let mut count = 0;
@@ -107,10 +50,6 @@ fn count_vertices(bytes: &[u8]) -> usize {
         scanner.end_line();
     }
     count
-}
-
-fn find(words: &[&'static str], word: &[u8]) -> Option<&'static str> {
-    words.iter().find(|known| known.as_bytes() == word).copied()
 }
 
 fn malformed(place: Place, reason: Reason) -> Error {
@@ -243,9 +182,9 @@ impl<'a> Reader<'a> {
 
     #[cold]
     fn other(&mut self, keyword: &[u8], line: Place) {
-        if let Some(element) = find(&ELEMENTS, keyword) {
+        if let Some(element) = element(keyword) {
             skip(&mut self.notes, Skipped::Elements(element), 1, line);
-        } else if find(&OTHERS, keyword).is_none() {
+        } else if !is_other(keyword) {
             skip(&mut self.notes, Skipped::UnknownStatements, 1, line);
         }
     }
@@ -265,7 +204,7 @@ impl<'a> Reader<'a> {
         self.positions.shrink_to_fit();
         self.faces.shrink_to_fit();
         let Self { positions, faces, polygon_sizes, notes, .. } = self;
-        Ok(Triangles { positions, faces, polygon_sizes, notes })
+        Ok(Triangles { positions, faces, polygon_sizes, notes, gltf: None })
     }
 }
 

@@ -71,7 +71,7 @@ fn entry<T: Copy>(list: &[T], corners: &[[Option<u32>; 3]], face: usize, corner:
 /// error: see [`Attributes::unread_libraries`].
 pub fn load(path: impl AsRef<Path>) -> Result<Attributes, Error> {
     let path = path.as_ref();
-    let bytes = crate::load::read_file(path)?;
+    let bytes = crate::load::bytes_of(path)?;
     let libraries = Libraries::new(path.parent());
     Reader::new(&bytes, libraries).run().map_err(|error| error.in_file(path))
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use crate::Place;
+use crate::{Place, gltf};
 
 /// A list of triangles as read from a file, or to be written to one.
 ///
@@ -20,13 +20,15 @@ pub struct Triangles {
     pub polygon_sizes: BTreeMap<usize, usize>,
     /// What the file held and this does not, one note for each kind.
     pub notes: Vec<Note>,
+    /// What the triangles of a glTF document come from; `None` where they come from elsewhere.
+    pub gltf: Option<gltf::Origin>,
 }
 
 impl Triangles {
     /// A mesh that was triangles from the start: no polygon was cut, nothing was left out.
     pub fn new(positions: Vec<[f32; 3]>, faces: Vec<[u32; 3]>) -> Self {
         let polygon_sizes = BTreeMap::from_iter((!faces.is_empty()).then_some((3, faces.len())));
-        Self { positions, faces, polygon_sizes, notes: Vec::new() }
+        Self { positions, faces, polygon_sizes, notes: Vec::new(), gltf: None }
     }
 
     /// Number of polygons in the file, before they were cut into triangles. Linear in the number of

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use onering_io::{Error, Format, Place, load};
+use onering_io::{Error, Format, Place, bytes_of, load, read_at};
 
 /// A folder of its own for each test, gone when the test ends.
 struct Folder(PathBuf);
@@ -71,4 +71,37 @@ fn what_is_no_file_is_named() {
     assert_eq!(error.to_string(), format!("{}: this is a directory, not a mesh file", folder.0.display()));
     let absent = folder.0.join("absent.obj");
     assert!(matches!(load(&absent).unwrap_err(), Error::Io { path, .. } if path == absent));
+}
+
+/// A device without an end.
+#[cfg(unix)]
+#[test]
+fn what_is_no_regular_file_is_not_read() {
+    let text = load("/dev/zero").unwrap_err().to_string();
+    assert!(text.starts_with("/dev/zero: this is not a regular file"), "{text}");
+}
+
+#[test]
+fn a_buffer_that_is_missing_is_named_with_the_document_that_asks_for_it() {
+    let folder = Folder::new("missing");
+    let text =
+        br#"{"asset": {"version": "2.0"}, "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "buffers": [{"byteLength": 36, "uri": "a.bin"}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}]}"#;
+    let path = folder.file("a.gltf", text);
+    let error = load(&path).unwrap_err();
+    let beginning = format!("{}: {}: ", path.display(), folder.0.join("a.bin").display());
+    assert!(error.to_string().starts_with(&beginning), "{error}");
+    assert!(matches!(error, Error::Io { named_in: Some(document), .. } if document == path));
+}
+
+#[test]
+fn bytes_at_hand_are_read_as_the_file_would_be() {
+    let folder = Folder::new("bytes");
+    for (name, bytes) in [("a.obj", &b"v 1 2 3\n"[..]), ("b.glb", b""), ("c.step", b"ISO")] {
+        let path = folder.file(name, bytes);
+        assert_eq!(bytes_of(&path).unwrap(), bytes);
+        let [one, other] = [read_at(bytes, &path), load(&path)].map(|result| format!("{result:?}"));
+        assert_eq!(one, other);
+    }
 }

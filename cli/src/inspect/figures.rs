@@ -1,9 +1,9 @@
 //! The figures of one file, under the names that the reports use.
 
-use super::{digest, geometry, gltf};
+use super::{digest, geometry};
 use onering::defects::{Defects, Figure};
 use onering::repair::weld;
-use onering_io::{Error, Format, Skipped, Triangles};
+use onering_io::{Error, Format, Skipped, Triangles, gltf};
 use serde::ser::{Error as _, Serialize, SerializeMap, Serializer};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,7 +16,7 @@ pub(crate) struct Inspection {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) primitives: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) gltf_buffers: Option<Vec<&'static str>>,
+    pub(crate) gltf_buffers: Option<Vec<String>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) skipped_faces: Option<usize>,
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
@@ -63,16 +63,14 @@ pub(crate) enum Welded {
 
 impl Inspection {
     pub(crate) fn of(path: &Path) -> Result<Self, Error> {
-        let mesh = onering_io::load(path)?;
-        // Read again for what the reader does not tell; on the way from a cache, not from a disk.
-        let bytes = std::fs::read(path).map_err(|source| Error::Io { path: path.to_owned(), source })?;
+        let bytes = onering_io::bytes_of(path)?;
+        let mesh = onering_io::read_at(&bytes, path)?;
         let mut inspection = Self::of_mesh(&mesh);
         inspection.file = super::name_of(path);
         inspection.bytes = bytes.len();
         inspection.sha256 = digest::of_bytes(&bytes);
         if let Some(format) = Format::of(path, &bytes) {
             inspection.format = format.to_string();
-            inspection.add_document(format, &bytes);
         }
         Ok(inspection)
     }
@@ -81,11 +79,13 @@ impl Inspection {
         let Triangles { positions, faces, .. } = mesh;
         let geometry = geometry::Geometry::of(positions, faces);
         let defects = Defects::of(positions.len(), faces);
+        // A glTF file has 32-bit floats and no decimals: each is exactly the number that is there.
+        let number = if mesh.gltf.is_some() { f64::from } else { shortest };
         let mut inspection = Self {
             file: String::new(),
             format: String::new(),
-            primitives: None,
-            gltf_buffers: None,
+            primitives: mesh.gltf.as_ref().map(|origin| origin.primitives),
+            gltf_buffers: mesh.gltf.as_ref().map(buffers),
             skipped_faces: None,
             ignored_elements: BTreeMap::new(),
             skipped_primitives: BTreeMap::new(),
@@ -97,8 +97,8 @@ impl Inspection {
             polygon_sizes: mesh.polygon_sizes.clone(),
             triangles: faces.len(),
             finite_coordinates: geometry::are_finite(positions),
-            bbox_min: geometry.map(|g| g.bbox_min.map(shortest)),
-            bbox_max: geometry.map(|g| g.bbox_max.map(shortest)),
+            bbox_min: geometry.map(|g| g.bbox_min.map(number)),
+            bbox_max: geometry.map(|g| g.bbox_max.map(number)),
             area: geometry.map(|g| g.area),
             signed_volume: geometry.map(|g| g.signed_volume),
             degree_histogram: degrees(positions.len(), faces),
@@ -128,18 +128,6 @@ impl Inspection {
             *list.entry(key).or_default() += note.count;
         }
     }
-
-    fn add_document(&mut self, format: Format, bytes: &[u8]) {
-        if matches!(format, Format::Gltf | Format::Glb) {
-            let document = gltf::Document::of(bytes);
-            self.primitives = Some(document.primitives);
-            self.gltf_buffers = Some(document.buffers.into_iter().collect());
-            // A glTF file has 32-bit floats and no decimals: each is exactly the number that is there.
-            let exact = |point: [f64; 3]| point.map(|x| f64::from(x as f32));
-            self.bbox_min = self.bbox_min.map(exact);
-            self.bbox_max = self.bbox_max.map(exact);
-        }
-    }
 }
 
 /// The number with the fewest decimals that rounds to `x`: most often what a file of decimals has.
@@ -165,6 +153,10 @@ impl Welded {
         let faces: Vec<_> = mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();
         Self::Other(Topology::of(&Defects::of(vertices, &faces), Some(vertices)))
     }
+}
+
+fn buffers(of: &gltf::Origin) -> Vec<String> {
+    of.buffers.iter().map(ToString::to_string).collect()
 }
 
 /// How many vertices have so many edges, of faces that name three vertices. Isolated vertices have none.
@@ -209,12 +201,11 @@ mod tests {
     fn coordinates_are_decimals_or_exact_as_the_file_has_them() {
         let exact = 4_891.903_808_593_75;
         let positions = vec![[exact as f32, 0.1, -0.0]];
-        let mut inspection = Inspection::of_mesh(&Triangles { positions, ..Triangles::default() });
-        assert_eq!(inspection.bbox_max, Some([4_891.904, 0.1, 0.0]));
-        inspection.add_document(Format::Obj, b"");
-        assert_eq!(inspection.bbox_max, Some([4_891.904, 0.1, 0.0]));
-        inspection.add_document(Format::Glb, b"");
-        assert_eq!(inspection.bbox_max, Some([exact, f64::from(0.1_f32), 0.0]));
+        let decimal = Triangles { positions, ..Triangles::default() };
+        let binary = Triangles { gltf: Some(gltf::Origin::default()), ..decimal.clone() };
+        let of = |mesh: &Triangles| Inspection::of_mesh(mesh).bbox_max;
+        assert_eq!(of(&decimal), Some([4_891.904, 0.1, 0.0]));
+        assert_eq!(of(&binary), Some([exact, f64::from(0.1_f32), 0.0]));
     }
 
     #[test]

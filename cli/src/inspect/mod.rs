@@ -3,7 +3,6 @@
 mod digest;
 mod figures;
 mod geometry;
-mod gltf;
 mod text;
 
 use crate::args;

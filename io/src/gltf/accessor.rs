@@ -1,5 +1,6 @@
 //! Positions and indices out of accessors. Every range is checked before a byte of the result is allocated.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use ::gltf::json::accessor::{Accessor, ComponentType, GenericComponentType, IndexComponentType, Type};
@@ -8,6 +9,7 @@ use ::gltf::json::validation::Checked;
 use super::buffers::Buffers;
 use super::component::{is_unsigned, unsigned, vector};
 use super::document::Document;
+use super::origin::BufferKind;
 use crate::memory::reserve;
 use crate::{Error, Format, Item, Place, Reason};
 
@@ -44,6 +46,11 @@ impl<'a> Source<'a> {
     ) -> Self {
         let buffers = Buffers::new(&document.buffers, format, bin, folder);
         Self { document, buffers, format, input_bytes }
+    }
+
+    /// The kinds of the buffers that were read so far.
+    pub(super) fn buffer_kinds(&self) -> BTreeSet<BufferKind> {
+        self.buffers.kinds()
     }
 
     /// Refuses a mesh out of all proportion to the input.

@@ -1,12 +1,14 @@
 //! The bytes of each buffer: from the BIN chunk, a data URI, or a file in the document's folder.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use ::gltf::json::Buffer;
 use base64::Engine;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
+use super::origin::BufferKind;
 use crate::beside::{self, Refusal};
 use crate::error::quote;
 use crate::{Error, Format, Item, Place, Reason};
@@ -39,6 +41,12 @@ impl<'a> Buffers<'a> {
     /// Bytes of the buffers so far.
     pub(super) fn loaded_bytes(&self) -> u64 {
         self.loaded_bytes
+    }
+
+    /// The kinds of the buffers so far.
+    pub(super) fn kinds(&self) -> BTreeSet<BufferKind> {
+        let loaded = self.buffers.iter().zip(&self.loaded).filter(|(_, bytes)| bytes.is_some());
+        loaded.map(|(buffer, _)| BufferKind::of(buffer.uri.as_deref())).collect()
     }
 
     /// Makes sure that the buffer is there, with all of its `byteLength`.
@@ -80,7 +88,7 @@ impl<'a> Buffers<'a> {
             self.folder.ok_or_else(|| refuse(uri, "bytes in memory have no folder to find it in"))?;
         beside::read(folder, uri, buffers[i].byte_length.0).map(Cow::Owned).map_err(|refusal| match refusal {
             Refusal::Uri(problem) => refuse(uri, problem),
-            Refusal::Io(path, source) => Error::Io { path, source },
+            Refusal::Io(path, source) => Error::Io { path, named_in: None, source },
         })
     }
 

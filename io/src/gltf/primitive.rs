@@ -4,6 +4,7 @@ use ::gltf::json::mesh::{self, Primitive, Semantic};
 use ::gltf::json::validation::Checked;
 
 use super::accessor::Source;
+use super::origin::Origin;
 use crate::memory::reserve;
 use crate::triangles::skip;
 use crate::{Error, Place, Reason, Skipped, Triangles};
@@ -21,12 +22,14 @@ enum Mode {
 /// The mesh so far.
 pub(super) struct Assembly<'a> {
     source: Source<'a>,
+    /// How many primitives were read.
+    primitives: usize,
     out: Triangles,
 }
 
 impl<'a> Assembly<'a> {
     pub(super) fn new(source: Source<'a>) -> Self {
-        Self { source, out: Triangles::default() }
+        Self { source, primitives: 0, out: Triangles::default() }
     }
 
     /// Appends the vertices and triangles of a primitive, or a note on why it has none.
@@ -43,6 +46,7 @@ impl<'a> Assembly<'a> {
             return Ok(());
         };
         let position = position.value();
+        self.primitives += 1;
         self.check_draco(primitive, position, place)?;
         let base = self.out.positions.len();
         self.add_positions(position, place)?;
@@ -61,6 +65,8 @@ impl<'a> Assembly<'a> {
         if !self.out.faces.is_empty() {
             self.out.polygon_sizes.insert(3, self.out.faces.len());
         }
+        let buffers = self.source.buffer_kinds();
+        self.out.gltf = Some(Origin { primitives: self.primitives, buffers });
         self.out
     }
 
