@@ -171,6 +171,25 @@ fn many_faces_on_one_edge() {
     }
 }
 
+/// Each step around a vertex is a search over all faces, so that only few faces at it can be gone around.
+#[test]
+fn a_small_book_is_not_searched_without_a_structure() {
+    let pages = 600;
+    let vertices = (0..pages).map(|page| format!("v 1 {page} 0\n"));
+    let faces = (0..pages).map(|page| format!("f 1 2 {}\n", page + 3));
+    let text: String = ["v 0 0 0\nv 0 0 1\n".to_owned()].into_iter().chain(vertices).chain(faces).collect();
+    let file = scratch("small_book", "book.obj", &text);
+    let (run, result) = compare("small_book", &[&file], &[]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    assert!(backends(&result, 0).iter().all(|row| row["name"] != "no data structure"));
+    assert!(backend(&result, 0, "che-l2")["build"]["quadratic"].is_object());
+    assert!(
+        run.out.contains("left out for vertices of very many faces: `no data structure`\n"),
+        "{}",
+        run.out
+    );
+}
+
 #[test]
 fn a_single_run_is_marked() {
     let file = scratch("marked", "square.obj", SQUARE);

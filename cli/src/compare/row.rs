@@ -15,7 +15,8 @@ use std::time::Duration;
 pub(crate) struct Rows<'a> {
     case: &'a Case,
     clock: Clock,
-    is_small: bool,
+    /// Up to how many triangles what is quadratic is done.
+    limit: usize,
     rows: Vec<Backend>,
     /// The first answer to each question in each state of the mesh, and who gave it.
     first: Vec<(&'static str, &'static str, &'static str, u64)>,
@@ -36,7 +37,7 @@ impl<'a> Rows<'a> {
         Self {
             case,
             clock: Clock { budget: Duration::from_millis(options.budget), gives_up: false },
-            is_small: case.as_it_is.soup.faces.len() <= options.quadratic_up_to,
+            limit: options.quadratic_up_to,
             rows: Vec::new(),
             first: states.into_iter().flat_map(answers).collect(),
             mismatches: Vec::new(),
@@ -72,10 +73,10 @@ impl<'a> Rows<'a> {
 
     /// The search over all faces, where that does not take too long.
     pub(crate) fn measure_baseline(&mut self) {
-        if !self.is_small {
+        let ready = &self.case.as_it_is;
+        if !ready.soup.is_quick_to_search(self.limit) {
             return;
         }
-        let ready = &self.case.as_it_is;
         if let Ok(measured) = self.ask(&BASELINE, ready) {
             self.compare(BASELINE.name, AS_IT_IS, &measured);
             let mut row = empty_row(BASELINE.name, AS_IT_IS);
@@ -87,7 +88,8 @@ impl<'a> Rows<'a> {
 
     fn ask(&self, subject: &Subject, ready: &Ready) -> Result<Measured, BuildError> {
         let Ready { soup, sample, .. } = ready;
-        (subject.measure)(&Plan { soup, sample, clock: self.clock, with_quadratic: self.is_small })
+        let with_quadratic = self.case.as_it_is.soup.faces.len() <= self.limit;
+        (subject.measure)(&Plan { soup, sample, clock: self.clock, with_quadratic })
     }
 
     fn compare(&mut self, who: &'static str, state: &'static str, measured: &Measured) {
