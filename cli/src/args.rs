@@ -3,7 +3,9 @@
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use onering::registry::BACKENDS;
-use std::path::PathBuf;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 
 /// One Topology trait, every triangle-mesh data structure.
 ///
@@ -18,7 +20,8 @@ struct Args {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  all was done
-  1  some files could not be read, or backends gave different answers
+  1  some files could not be read, backends gave different answers, or output could not be written (a reader of a
+     pipe that stops early is no failure: 0)
   2  wrong usage, or no file could be read";
 
 #[derive(Debug, Subcommand)]
@@ -50,19 +53,20 @@ pub(crate) struct Inspect {
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXIT_CODES)]
 pub(crate) struct Compare {
-    /// Mesh files: .obj, .gltf, .glb; without any, two meshes made on the spot, of over 80,000 triangles
+    /// Mesh files: .obj, .gltf, .glb; without any, three made on the spot, of 2,106 and twice over 80,000 triangles
     #[arg(value_name = "FILE")]
     pub(crate) files: Vec<PathBuf>,
     /// Measure these backends only [default: all]
     #[arg(long = "backend", value_name = "NAME", num_args = 1.., value_delimiter = ',', long_help = backend_help())]
     pub(crate) backends: Vec<String>,
-    /// Write everything that was measured to this file as JSON
+    /// Write everything that was measured to this file as JSON; never over a mesh
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
     /// Choose the random vertices and faces
     #[arg(long, value_name = "NUMBER", default_value_t = 2016)]
     pub(crate) seed: u64,
-    /// Time to spend on each figure; what takes over eight times as long is run once
+    /// Time to spend on each figure, of three runs at least after one to warm up; what is quadratic and takes over
+    /// eight times as long is run once, and everything is with 0
     #[arg(long, value_name = "MILLISECONDS", default_value_t = 40)]
     pub(crate) budget: u64,
     /// Do what takes quadratic time on meshes up to this size: build without a hash table, answer without a structure
@@ -86,16 +90,24 @@ impl Compare {
     }
 }
 
-/// Reads the command line. Where it is wrong, says so and ends the process with 2.
-pub(crate) fn read() -> Command {
-    match Args::parse().command.unwrap_or_else(|| Command::Compare(Compare::default())) {
+/// Reads the command line; `None` where help or the version was asked for, and is printed. Where the line is wrong,
+/// says so and ends the process with 2.
+pub(crate) fn read() -> io::Result<Option<Command>> {
+    let args = match Args::try_parse() {
+        Err(error) if error.use_stderr() => error.exit(),
+        // `Args::parse` would not tell whether it could be written.
+        Err(text) => return text.print().and_then(|()| io::stdout().flush()).map(|()| None),
+        Ok(args) => args,
+    };
+    Ok(Some(match args.command.unwrap_or_else(|| Command::Compare(Compare::default())) {
         Command::Compare(mut compare) => {
             give_back_files(&mut compare);
             check_backends(&compare.backends);
+            check_json(&compare);
             Command::Compare(compare)
         }
         command => command,
-    }
+    }))
 }
 
 /// In `--backend che-l1 che-l2 cow.obj`, the last word is a file: no backend has a dot or a slash in its name.
@@ -116,6 +128,32 @@ fn check_backends(names: &[String]) {
     if let Some(name) = unknown {
         fail(&format!("no backend is named '{name}'; {}", known()));
     }
+}
+
+/// How the names of meshes end, and of what they refer to.
+const MESHES: &[&str] = &[
+    "obj", "mtl", "gltf", "glb", "bin", "ply", "stl", "off", "3ds", "3mf", "dae", "fbx", "wrl", "x3d", "msh",
+    "vtk", "vtp", "tri", "ts", "usd", "usda", "usdc", "usdz",
+];
+
+/// A name that was meant as another mesh to read must not cost that mesh.
+fn check_json(compare: &Compare) {
+    let Some(json) = compare.json.as_deref() else { return };
+    // The same file by another name, or what a link leads to.
+    let real = |path: &Path| fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let target = real(json);
+    let reason = if compare.files.iter().any(|file| real(file) == target) {
+        "it is one of the meshes to read"
+    } else if has_name_of_mesh(json) || has_name_of_mesh(&target) {
+        "that is the name of a mesh"
+    } else {
+        return;
+    };
+    fail(&format!("--json does not write to '{}': {reason}", json.display()));
+}
+
+fn has_name_of_mesh(path: &Path) -> bool {
+    path.extension().is_some_and(|end| MESHES.iter().any(|mesh| end.eq_ignore_ascii_case(mesh)))
 }
 
 fn fail(message: &str) -> ! {

@@ -1,5 +1,5 @@
-//! Meshes to compare on where no file is named: one closed, one with boundary, so that every part of every
-//! structure has something to do. Only their faces: no comparison looks at positions.
+//! Meshes to compare on where no file is named: one small enough for what is quadratic, one closed, one with boundary,
+//! so that every part of every structure has something to do. Only their faces: no comparison looks at positions.
 
 use std::collections::HashMap;
 
@@ -11,9 +11,11 @@ pub(crate) struct Made {
     pub(crate) faces: Vec<[u32; 3]>,
 }
 
-/// 81,920 and 82,080 triangles: more than the caches next to a core hold of most structures, and quick to build.
-pub(crate) fn all() -> [Made; 2] {
-    [sphere(6), terrain(204, 8)]
+/// 2,106 triangles, then 81,920 and 82,080: more than the caches next to a core hold of most structures, and quick to
+/// build.
+pub(crate) fn all() -> [Made; 3] {
+    let small = Made { name: "small terrain with nine holes (made here)", ..terrain(33, 2) };
+    [small, sphere(6), terrain(204, 8)]
 }
 
 #[rustfmt::skip]
@@ -67,16 +69,19 @@ mod tests {
     use onering::defects::Defects;
 
     #[test]
-    fn one_is_closed_and_one_has_ten_boundaries() {
-        let [sphere, terrain] = all();
+    fn one_is_closed_and_two_have_ten_boundaries() {
+        let [small, sphere, terrain] = all();
         let figures = |made: &Made| Defects::of(made.vertex_count, &made.faces);
         assert_eq!((sphere.vertex_count, sphere.faces.len()), (40_962, 81_920));
         assert_eq!(terrain.faces.len(), 2 * (204 * 204 - 9 * 64));
-        let (sphere, terrain) = (figures(&sphere), figures(&terrain));
+        assert_eq!(small.faces.len(), 2 * (33 * 33 - 9 * 4));
+        let sphere = figures(&sphere);
         assert!(
             sphere.is_clean() && sphere.closed && sphere.genus == Some(0) && sphere.isolated_vertices == 0
         );
-        assert!(terrain.is_clean() && terrain.genus == Some(0) && terrain.boundary_loops == Some(10));
-        assert_eq!((terrain.components, terrain.isolated_vertices), (1, 0));
+        for terrain in [figures(&small), figures(&terrain)] {
+            assert!(terrain.is_clean() && terrain.genus == Some(0) && terrain.boundary_loops == Some(10));
+            assert_eq!((terrain.components, terrain.isolated_vertices), (1, 0));
+        }
     }
 }

@@ -5,8 +5,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-static LIVE: AtomicUsize = AtomicUsize::new(0);
-static PEAK: AtomicUsize = AtomicUsize::new(0);
+static HEAP: Counters = Counters::new();
 
 /// The system's allocator, counted.
 #[derive(Debug)]
@@ -23,17 +22,37 @@ pub(crate) struct Growth {
 
 /// Runs `work` and tells how the heap grew. Only where no other thread allocates meanwhile.
 pub(crate) fn growth<T>(work: impl FnOnce() -> T) -> (T, Growth) {
-    let before = LIVE.load(Relaxed);
-    PEAK.store(before, Relaxed);
-    let result = work();
-    let kept = LIVE.load(Relaxed).saturating_sub(before);
-    (result, Growth { kept, peak: PEAK.load(Relaxed).saturating_sub(before) })
+    HEAP.growth(work)
 }
 
-fn add(bytes: usize) {
-    let live = LIVE.fetch_add(bytes, Relaxed) + bytes;
-    if live > PEAK.load(Relaxed) {
-        PEAK.fetch_max(live, Relaxed);
+/// Bytes that are held, and the most that were.
+struct Counters {
+    live: AtomicUsize,
+    peak: AtomicUsize,
+}
+
+impl Counters {
+    const fn new() -> Self {
+        Self { live: AtomicUsize::new(0), peak: AtomicUsize::new(0) }
+    }
+
+    fn growth<T>(&self, work: impl FnOnce() -> T) -> (T, Growth) {
+        let before = self.live.load(Relaxed);
+        self.peak.store(before, Relaxed);
+        let result = work();
+        let kept = self.live.load(Relaxed).saturating_sub(before);
+        (result, Growth { kept, peak: self.peak.load(Relaxed).saturating_sub(before) })
+    }
+
+    fn add(&self, bytes: usize) {
+        let live = self.live.fetch_add(bytes, Relaxed) + bytes;
+        if live > self.peak.load(Relaxed) {
+            self.peak.fetch_max(live, Relaxed);
+        }
+    }
+
+    fn subtract(&self, bytes: usize) {
+        self.live.fetch_sub(bytes, Relaxed);
     }
 }
 
@@ -45,7 +64,7 @@ unsafe impl GlobalAlloc for Counting {
         // SAFETY: the caller's promises are the same.
         let block = unsafe { System.alloc(layout) };
         if !block.is_null() {
-            add(layout.size());
+            HEAP.add(layout.size());
         }
         block
     }
@@ -54,7 +73,7 @@ unsafe impl GlobalAlloc for Counting {
         // SAFETY: the caller's promises are the same.
         let block = unsafe { System.alloc_zeroed(layout) };
         if !block.is_null() {
-            add(layout.size());
+            HEAP.add(layout.size());
         }
         block
     }
@@ -62,15 +81,15 @@ unsafe impl GlobalAlloc for Counting {
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
         // SAFETY: the block came from `System`, through one of the others, with this layout.
         unsafe { System.dealloc(block, layout) };
-        LIVE.fetch_sub(layout.size(), Relaxed);
+        HEAP.subtract(layout.size());
     }
 
     unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         // SAFETY: the block came from `System`, through one of the others, with this layout.
         let moved = unsafe { System.realloc(block, layout, size) };
         if !moved.is_null() {
-            LIVE.fetch_sub(layout.size(), Relaxed);
-            add(size);
+            HEAP.subtract(layout.size());
+            HEAP.add(size);
         }
         moved
     }
@@ -82,12 +101,16 @@ mod tests {
 
     #[test]
     fn what_was_freed_counts_for_the_peak_alone() {
-        // Other tests allocate meanwhile, so that only large blocks tell.
-        let (kept, growth) = growth(|| {
-            drop(vec![1_u8; 64 << 20]);
-            vec![1_u8; 32 << 20]
+        // Counters of its own: other tests allocate meanwhile.
+        let heap = Counters::new();
+        heap.add(5);
+        let ((), growth) = heap.growth(|| {
+            heap.add(64);
+            heap.subtract(64);
+            heap.add(32);
         });
-        assert_eq!(kept.len(), 32 << 20);
-        assert!(growth.peak >= 60 << 20 && (28 << 20..48 << 20).contains(&growth.kept), "{growth:?}");
+        assert_eq!(growth, Growth { kept: 32, peak: 64 });
+        let ((), growth) = heap.growth(|| heap.subtract(32));
+        assert_eq!(growth, Growth { kept: 0, peak: 0 });
     }
 }

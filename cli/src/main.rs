@@ -17,10 +17,11 @@ use std::process::ExitCode;
 static HEAP: heap::Counting = heap::Counting;
 
 fn main() -> ExitCode {
-    finish(match args::read() {
-        Command::Inspect(options) => inspect::run(&options),
-        Command::Compare(options) => compare::run(&options),
-    })
+    finish(args::read().and_then(|command| match command {
+        None => Ok(Status::Done),
+        Some(Command::Inspect(options)) => inspect::run(&options),
+        Some(Command::Compare(options)) => compare::run(&options),
+    }))
 }
 
 /// Whoever reads our output may stop early, as `head` does: that is no error.

@@ -89,8 +89,26 @@ fn defects_are_held_or_repaired_and_the_report_says_so() {
     let file = scratch("defective", "fan.obj", text);
     let (run, result) = compare("defective", &[&file], &[]);
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
-    let mesh = &result["meshes"][0];
-    assert_eq!((&mesh["defects"], &mesh["repair"]["triangles"]), (&"1 non-manifold edge".into(), &3.into()));
+    let (mesh, repair) = (&result["meshes"][0], &result["meshes"][0]["repair"]);
+    assert_eq!((&mesh["defects"], &repair["triangles"]), (&"1 non-manifold edge".into(), &3.into()));
+    // Three edges less the two that were one with the first, and three times three.
+    assert_eq!((&mesh["edges"], &repair["edges"]), (&7.into(), &9.into()));
+    let starts = |state: &Value| state["random_vertices"].as_array().unwrap().clone();
+    assert_eq!((starts(mesh).len(), starts(repair).len()), (30, 30));
+    assert!(
+        starts(mesh).iter().all(|v| v.as_u64() < Some(5))
+            && starts(repair).iter().any(|v| v.as_u64() > Some(4))
+    );
+    // In the repaired mesh every vertex has two neighbours and no others, whatever the choice of vertices.
+    let counts: Vec<Vec<&str>> = run
+        .out
+        .lines()
+        .filter(|line| line.trim_start().starts_with("(vertices)"))
+        .map(|line| line.split_whitespace().collect())
+        .collect();
+    assert_eq!(counts.len(), 2, "{}", run.out);
+    assert_eq!(counts[0][..4], ["(vertices)", "as", "it", "is"]);
+    assert_eq!(counts[1], ["(vertices)", "repaired", "(2)", "(2)", "(2)", "(2)"]);
     for entry in onering::registry::BACKENDS {
         let row = backend(&result, 0, entry.name);
         let holds = entry.holds.contains(&"non_manifold_edge");
@@ -113,6 +131,7 @@ fn chosen_backends_and_several_files_of_which_one_is_bad() {
     assert_eq!((run.code, run.err.lines().count()), (Some(1), 1), "{run:?}");
     let names: Vec<&str> = backends(&result, 0).iter().map(|row| row["name"].as_str().unwrap()).collect();
     assert_eq!(names, ["che-l3", "mate-face"]);
+    assert!(!run.out.contains("`no data structure`"), "{}", run.out);
     assert_eq!(result["unread"][0]["file"], missing.display().to_string());
     assert_eq!(result["meshes"].as_array().unwrap().len(), 1);
 }
@@ -124,7 +143,87 @@ fn what_is_quadratic_is_left_out_above_a_size_that_is_announced() {
     assert_eq!(run.code, Some(0));
     assert!(backend(&result, 0, "che-l1")["build"]["quadratic"].is_null());
     assert!(backends(&result, 0).iter().all(|row| row["name"] != "no data structure"));
-    assert!(run.out.contains("left out above 1 triangles"), "{}", run.out);
+    let line =
+        "left out above 1 triangles (--quadratic-up-to): building without hash, and `no data structure`\n";
+    assert!(run.out.contains(line), "{}", run.out);
+    assert!(!run.out.contains("searches all faces"), "{}", run.out);
+    let (run, _) = compare("limit", &[&file], &["--quadratic-up-to", "1", "--backend", "shared-vertex"]);
+    assert!(!run.out.contains("left out above"), "{}", run.out);
+}
+
+/// Not a matter of seconds, but of whether it ends.
+#[test]
+fn many_faces_on_one_edge() {
+    let pages = 20_000;
+    let mut book = String::from("v 0 0 0\nv 0 0 1\n");
+    (0..pages).for_each(|page| book += &format!("v 1 {page} 0\n"));
+    (0..pages).for_each(|page| book += &format!("f 1 2 {}\n", page + 3));
+    let book = scratch("book", "book.obj", &book);
+    // The same three corners again and again, in both orders and with faces that have no area.
+    let corners: String = (0..pages).map(|i| ["1 ", "2 ", "3 ", "2 "][i % 4]).collect();
+    let polygon = scratch("book", "polygon.obj", &format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nf {corners}\n"));
+    let (run, result) = compare("book", &[&book, &polygon], &[]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    assert_eq!(result["meshes"][0]["edges"], 2 * pages + 1);
+    for entry in onering::registry::BACKENDS.iter().filter(|entry| entry.holds.contains(&"non_manifold_edge"))
+    {
+        assert_eq!(backend(&result, 0, entry.name)["mesh"], "as it is", "{}", entry.name);
+    }
+}
+
+/// Each step around a vertex is a search over all faces, so that only few faces at it can be gone around.
+#[test]
+fn a_small_book_is_not_searched_without_a_structure() {
+    let pages = 600;
+    let vertices = (0..pages).map(|page| format!("v 1 {page} 0\n"));
+    let faces = (0..pages).map(|page| format!("f 1 2 {}\n", page + 3));
+    let text: String = ["v 0 0 0\nv 0 0 1\n".to_owned()].into_iter().chain(vertices).chain(faces).collect();
+    let file = scratch("small_book", "book.obj", &text);
+    let (run, result) = compare("small_book", &[&file], &[]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    assert!(backends(&result, 0).iter().all(|row| row["name"] != "no data structure"));
+    assert!(backend(&result, 0, "che-l2")["build"]["quadratic"].is_object());
+    assert!(
+        run.out.contains("left out for vertices of very many faces: `no data structure`\n"),
+        "{}",
+        run.out
+    );
+}
+
+#[test]
+fn a_single_run_is_marked() {
+    let file = scratch("marked", "square.obj", SQUARE);
+    let run =
+        |budget| onering(["compare", "--budget", budget, "--backend", "che-l2", file.to_str().unwrap()]);
+    let is_marked =
+        |run: &common::Run| run.out.lines().any(|line| line.contains("che-l2") && line.contains('*'));
+    let (once, often) = (run("0"), run("1"));
+    assert!(is_marked(&once), "{once:?}");
+    assert!(!is_marked(&often), "{often:?}");
+    assert!(once.out.contains("`*` is a single run"), "{once:?}");
+}
+
+#[test]
+fn json_never_takes_the_place_of_a_mesh() {
+    let file = scratch("precious", "square.obj", SQUARE);
+    let folder = file.parent().unwrap();
+    let odd = scratch("precious", "square.mesh", SQUARE);
+    std::fs::create_dir_all(folder.join("inner")).unwrap();
+    for json in [
+        file.clone(),
+        odd.clone(),
+        folder.join("inner/../square.mesh"),
+        folder.join("new.GLB"),
+        folder.join("new.off"),
+    ] {
+        let run = onering(["compare".as_ref(), odd.as_os_str(), "--json".as_ref(), json.as_os_str()]);
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{run:?}");
+        assert!(run.err.contains("--json does not write to '"), "{run:?}");
+    }
+    for kept in [&file, &odd] {
+        assert_eq!(std::fs::read_to_string(kept).unwrap(), SQUARE);
+    }
+    assert_eq!(std::fs::read_dir(folder).unwrap().count(), 3, "something was left behind");
 }
 
 #[test]
@@ -150,12 +249,14 @@ fn no_faces_or_none_that_hold_are_no_error() {
 }
 
 #[test]
-fn without_a_file_two_meshes_are_made() {
+fn without_a_file_three_meshes_are_made() {
     let (run, result) = compare("made", &[], &["--backend", "che-l2"]);
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
     let meshes = result["meshes"].as_array().unwrap();
-    assert_eq!(meshes.len(), 2);
-    assert!(meshes.iter().all(|mesh| mesh["triangles"].as_u64().unwrap() >= 80_000));
+    let sizes: Vec<u64> = meshes.iter().map(|mesh| mesh["triangles"].as_u64().unwrap()).collect();
+    assert_eq!(sizes, [2106, 81_920, 82_080]);
+    let has_quadratic = |i: usize| backend(&result, i, "che-l2")["build"]["quadratic"].is_object();
+    assert_eq!([0, 1, 2].map(has_quadratic), [true, false, false]);
 }
 
 #[test]

@@ -107,3 +107,27 @@ fn a_reader_that_stops_early_is_no_error() {
     let run = common::of(&child.wait_with_output().unwrap());
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
 }
+
+/// A device that is always full.
+#[cfg(target_os = "linux")]
+#[test]
+fn output_that_cannot_be_written_ends_with_1() {
+    let path = scratch("full", "square.obj", SQUARE);
+    let path = path.to_str().unwrap();
+    for args in [
+        &["--help"][..],
+        &["compare", "--help"],
+        &["--version"],
+        &["inspect", path],
+        &["inspect", "--json", path],
+        &["compare", "--budget", "0", "--backend", "che-l2", path],
+    ] {
+        let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+        let output = common::command().args(args).stdout(full).stderr(Stdio::piped()).output().unwrap();
+        let run = common::of(&output);
+        assert_eq!((run.code, run.err.lines().count()), (Some(1), 1), "{args:?}: {run:?}");
+        assert!(run.err.starts_with("onering: standard output: "), "{args:?}: {run:?}");
+    }
+    let run = onering(["--help"]);
+    assert!(run.out.contains("or output could not be written"), "{run:?}");
+}

@@ -49,13 +49,17 @@ fn repaired(soup: &Soup, seed: u64) -> Result<Option<(Ready, record::Repair)>, R
     if mended.faces.is_empty() {
         return Ok(None);
     }
+    let steps = mended.to_string();
+    let ready =
+        Ready::of(Soup { vertex_count: mended.vertex_count, faces: mended.faces, is_clean: true }, seed);
     let repair = record::Repair {
-        steps: mended.to_string(),
-        vertices: mended.vertex_count,
-        triangles: mended.faces.len(),
+        steps,
+        vertices: ready.soup.vertex_count,
+        triangles: ready.soup.faces.len(),
+        edges: ready.counts.edges,
+        random_vertices: ready.sample.starts.clone(),
     };
-    let soup = Soup { vertex_count: mended.vertex_count, faces: mended.faces, is_clean: true };
-    Ok(Some((Ready::of(soup, seed), repair)))
+    Ok(Some((ready, repair)))
 }
 
 impl Ready {

@@ -109,6 +109,13 @@ pub(crate) fn mix_face(face: usize, [a, b, c]: [usize; 3]) -> u64 {
     mix(face, mix(a, mix(b, c) as usize) as usize)
 }
 
+/// One number of the faces along an edge, in any order.
+pub(crate) fn mix_fan(faces: impl Iterator<Item = usize>) -> u64 {
+    let (count, total) =
+        faces.fold((0, 0_u64), |(count, total), face| (count + 1, total.wrapping_add(scramble(face as u64))));
+    scramble(total.wrapping_add(count))
+}
+
 fn faces<M: Topology>(mesh: &M) -> u64 {
     sum(mesh.faces(), |f| mix_face(f.index(), mesh.face_vertices(f).map(Handle::index)))
 }
@@ -117,10 +124,13 @@ fn side<M: Topology>(mesh: &M, h: M::HalfEdge) -> u64 {
     mix(mesh.origin(h).index(), mesh.target(h).index())
 }
 
+/// Linear also where all faces lie along one edge: its fan is walked from the least half-edge alone. The others come
+/// ascending, so each of them meets the least one first.
 fn edge_fans<M: Adjacency>(mesh: &M) -> u64 {
-    sum(mesh.half_edges(), |h| {
-        let others = mesh.edge_fan(h).filter(|&g| g != h);
-        sum(others, |g| mix(mesh.face(h).index(), mesh.face(g).index()))
+    let face = |h| mesh.face(h).index();
+    sum(mesh.half_edges(), |h| match mesh.edge_fan(h).nth(1) {
+        Some(least) if least.index() < h.index() => mix(face(h), face(least)),
+        _ => mix_fan(mesh.edge_fan(h).map(face)),
     })
 }
 

@@ -100,7 +100,7 @@ impl<'a> Comparison<'a> {
     }
 
     fn show(&mut self, mesh: Mesh) -> io::Result<()> {
-        let text = report::mesh(&mesh, self.options.quadratic_up_to);
+        let text = report::mesh(&mesh, self.options);
         self.bar.suspend(|| output::print(&text))?;
         for mismatch in &mesh.mismatches {
             output::complain(&format!("{}: {mismatch}", mesh.name));

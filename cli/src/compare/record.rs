@@ -39,12 +39,12 @@ pub(crate) struct Mesh {
     pub(crate) vertices: usize,
     pub(crate) triangles: usize,
     pub(crate) edges: usize,
-    /// What some backends cannot hold.
-    pub(crate) defects: String,
-    /// What was done to the mesh for those.
-    pub(crate) repair: Option<Repair>,
     /// Where rings start.
     pub(crate) random_vertices: Vec<u32>,
+    /// What some backends cannot hold.
+    pub(crate) defects: String,
+    /// What was done to the mesh for those, and what it became.
+    pub(crate) repair: Option<Repair>,
     pub(crate) backends: Vec<Backend>,
     /// Answers that differ. Empty, or a structure is wrong.
     pub(crate) mismatches: Vec<String>,
@@ -55,6 +55,9 @@ pub(crate) struct Repair {
     pub(crate) steps: String,
     pub(crate) vertices: usize,
     pub(crate) triangles: usize,
+    pub(crate) edges: usize,
+    /// Where rings start on the mesh that it became, whose vertices have other numbers.
+    pub(crate) random_vertices: Vec<u32>,
 }
 
 /// One backend on one mesh. `null` is what it cannot answer, or what would take too long.

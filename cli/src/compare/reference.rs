@@ -1,7 +1,7 @@
 //! The answers that every backend should give, and the counts that their bytes depend on, from the plain list of faces:
 //! its sides are sorted, and no structure or algorithm of the library is asked.
 
-use super::kernels::{mix, mix_face};
+use super::kernels::{mix, mix_face, mix_fan};
 use super::sample::Soup;
 use onering::footprint::Counts;
 
@@ -46,39 +46,43 @@ impl Sides {
 
     /// Answers under the names of the kernels that give them.
     pub(crate) fn answers(&self, faces: &[[u32; 3]]) -> Vec<(&'static str, u64)> {
-        let [mut edge_fan, mut opposite, mut boundary, mut edges, mut neighbours] = [0_u64; 5];
+        let [mut edges, mut neighbours, mut all_faces, mut star] = [0_u64; 4];
         for edge in self.edges() {
             let (a, b) = (edge[0].low as usize, edge[0].high as usize);
             add(&mut edges, mix(a, b));
             add(&mut neighbours, mix(a, b).wrapping_add(mix(b, a)));
-            for (i, side) in edge.iter().enumerate() {
-                for (_, other) in edge.iter().enumerate().filter(|&(j, _)| j != i) {
-                    let pair = mix(side.face as usize, other.face as usize);
-                    add(&mut edge_fan, pair);
-                    add(&mut opposite, if is_opposite(edge) { pair } else { 0 });
-                }
-            }
-            if let [side] = edge {
-                add(&mut boundary, if side.is_rising { mix(a, b) } else { mix(b, a) });
-            }
         }
-        let corners = faces.iter().map(|face| face.map(|v| v as usize)).enumerate();
-        let (mut all_faces, mut star) = (0, 0);
-        for (f, vertices) in corners {
+        for (f, face) in faces.iter().enumerate() {
+            let vertices = face.map(|v| v as usize);
             add(&mut all_faces, mix_face(f, vertices));
             vertices.iter().for_each(|&v| add(&mut star, mix(v, f)));
         }
         let mut answers = vec![("faces", all_faces), ("neighbours", neighbours), ("edges", edges)];
         // What lies across an edge that a face meets twice is for nobody to say.
         if are_proper(faces) {
-            answers.extend([
-                ("edge_fan", edge_fan),
-                ("opposite", opposite),
-                ("boundary", boundary),
-                ("star", star),
-            ]);
+            answers.push(("star", star));
+            answers.extend(self.across());
         }
         answers
+    }
+
+    /// What lies along edges, where no face meets one twice: the least half-edge is then that of the first side.
+    fn across(&self) -> [(&'static str, u64); 3] {
+        let [mut edge_fan, mut opposite, mut boundary] = [0_u64; 3];
+        for edge in self.edges() {
+            let face = |side: &Side| side.face as usize;
+            add(&mut edge_fan, mix_fan(edge.iter().map(face)));
+            edge[1..].iter().for_each(|side| add(&mut edge_fan, mix(face(side), face(&edge[0]))));
+            match edge {
+                [one] if one.is_rising => add(&mut boundary, mix(one.low as usize, one.high as usize)),
+                [one] => add(&mut boundary, mix(one.high as usize, one.low as usize)),
+                [one, two] if is_opposite(edge) => {
+                    add(&mut opposite, mix(face(one), face(two)).wrapping_add(mix(face(two), face(one))));
+                }
+                _ => {}
+            }
+        }
+        [("edge_fan", edge_fan), ("opposite", opposite), ("boundary", boundary)]
     }
 }
 

@@ -1,9 +1,12 @@
 //! The report for people to read: two tables for each mesh.
 
-use super::record::{Mesh, Run};
+use super::record::{Backend, Mesh, Run};
 use super::rings::LEVELS;
+use super::row::{AS_IT_IS, REPAIRED};
 use super::sample::{QUERIES, STARTS};
+use super::subject::BASELINE;
 use super::timing::Timing;
+use crate::args;
 use comfy_table::{CellAlignment, LineStyle, Table, TableStyle};
 use std::fmt::Write;
 
@@ -18,7 +21,8 @@ pub(crate) const NOTES: &[&str] = &[
     "Bytes are of topology alone: no positions. Formula: V vertices, E edges, T triangles, B boundary curves. \
      Counted: what the heap holds more once it is built. Peak: the most that it held more meanwhile. The list of \
      triangles it is built from is borrowed and in neither.",
-    "Times are medians of repeated runs, after one to warm up. Build: from a list of triangles in memory, by how \
+    "Times are medians of at least three runs, after one to warm up. `*` is a single run, the first: of what is \
+     quadratic and takes over eight budgets (--budget), or of everything where the budget is 0. Build: from a list of triangles in memory, by how \
      half-edges are paired; without hash is the quadratic search, paper hash is Eq. (7), both of Biscaro et al. \
      (2016), Tables 3 and 4; auto is what the library takes.",
     "Rings: all vertices within so many edges of one vertex, from random vertices, with scratch that is kept \
@@ -42,15 +46,15 @@ pub(crate) fn head(run: &Run) -> String {
 }
 
 /// Everything about one mesh.
-pub(crate) fn mesh(mesh: &Mesh, quadratic_up_to: usize) -> String {
+pub(crate) fn mesh(mesh: &Mesh, options: &args::Compare) -> String {
     let Mesh { name, vertices, triangles, edges, defects, repair, .. } = mesh;
     let mut text =
         format!("\n{name}: {vertices} vertices, {edges} edges, {triangles} triangles; {defects}\n");
     if let Some(repair) = repair {
         let _ = writeln!(
             text,
-            "repaired for backends that cannot hold this: {}; then {} vertices, {} triangles",
-            repair.steps, repair.vertices, repair.triangles
+            "repaired for backends that cannot hold this: {}; then {} vertices, {} edges, {} triangles",
+            repair.steps, repair.vertices, repair.edges, repair.triangles
         );
     }
     if mesh.backends.is_empty() {
@@ -61,7 +65,7 @@ pub(crate) fn mesh(mesh: &Mesh, quadratic_up_to: usize) -> String {
         text += table.to_string().rsplit_once('\n').map_or("", |(lines, _)| lines);
         text.push('\n');
     }
-    text + &announcements(mesh, quadratic_up_to)
+    text + &announcements(mesh, options)
 }
 
 fn memory(mesh: &Mesh) -> Table {
@@ -93,34 +97,48 @@ fn builds(mesh: &Mesh) -> Table {
 }
 
 fn queries(mesh: &Mesh) -> Table {
-    let ring = |level: usize| {
-        let found = mesh.backends.iter().find_map(|row| row.rings.get(level - 1));
-        found.map_or(String::new(), |ring| format!("{level}-ring, us\n({:.0})", ring.vertices))
-    };
-    let rings: [String; LEVELS] = std::array::from_fn(|k| ring(k + 1));
-    let mut header = vec!["Queries\n(vertices)", "mesh"];
+    let rings: [String; LEVELS] = std::array::from_fn(|k| format!("{}-ring,\nus", k + 1));
+    let mut header = vec!["Queries", "mesh"];
     header.extend(rings.iter().map(String::as_str));
     header.extend(["sweep,\nns/vertex", "vertex\nqueries, ms", "face\nqueries, ms"]);
     let mut table = table(&header, 2);
+    for state in [AS_IT_IS, REPAIRED] {
+        table.add_rows(vertices_in_rings(mesh, state));
+    }
     for row in &mesh.backends {
         let mut cells = vec![row.name.to_owned(), row.mesh.to_owned()];
         cells.extend((0..LEVELS).map(|k| scaled(row.rings.get(k).map(|ring| ring.timing), 1e3)));
-        cells.push(row.sweep.as_ref().map_or("-".into(), |sweep| digits(sweep.ns_per_vertex)));
+        let sweep = row.sweep.as_ref();
+        cells.push(sweep.map_or("-".into(), |sweep| cell(sweep.ns_per_vertex, sweep.timing)));
         cells.extend([row.random_vertex_queries, row.random_face_queries].map(|timing| scaled(timing, 1e6)));
         table.add_row(cells);
     }
     table
 }
 
-fn announcements(mesh: &Mesh, limit: usize) -> String {
+/// How many vertices the rings have, on average, in a state of the mesh that some backend was measured in.
+fn vertices_in_rings(mesh: &Mesh, state: &str) -> Option<Vec<String>> {
+    let row = mesh.backends.iter().find(|row| row.mesh == state && !row.rings.is_empty())?;
+    let counts = row.rings.iter().map(|ring| format!("({:.0})", ring.vertices));
+    let words = ["(vertices)", state].map(str::to_owned);
+    Some(words.into_iter().chain(counts).chain([(); 3].map(|()| String::new())).collect())
+}
+
+fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
     let mut text = String::new();
-    if mesh.triangles > limit {
+    let left_out = left_out(mesh, options);
+    if !left_out.is_empty() {
+        let limit = options.quadratic_up_to;
         let _ = writeln!(
             text,
-            "left out above {limit} triangles (--quadratic-up-to): building without hash, and `no data structure`"
+            "left out above {limit} triangles (--quadratic-up-to): {}",
+            left_out.join(", and ")
         );
-    } else {
+    }
+    if mesh.backends.iter().any(|row| row.name == BASELINE.name) {
         text += "`no data structure` searches all faces; of its random queries one in 100 is timed\n";
+    } else if options.backends.is_empty() && left_out.is_empty() {
+        text += "left out for vertices of very many faces: `no data structure`\n";
     }
     for row in &mesh.backends {
         if let Some(refusal) = &row.refusal {
@@ -137,6 +155,17 @@ fn announcements(mesh: &Mesh, limit: usize) -> String {
     text
 }
 
+/// What was asked for and is quadratic, where the mesh is too large for that.
+fn left_out(mesh: &Mesh, options: &args::Compare) -> Vec<&'static str> {
+    if mesh.triangles <= options.quadratic_up_to {
+        return Vec::new();
+    }
+    // `auto` and at least one strategy.
+    let pairs = |row: &Backend| row.build.0.iter().filter(|(_, timing)| timing.is_some()).count() > 1;
+    let building = mesh.backends.iter().any(pairs).then_some("building without hash");
+    building.into_iter().chain(options.backends.is_empty().then_some("`no data structure`")).collect()
+}
+
 /// A table whose first `left` columns are words, the others numbers.
 fn table(header: &[&str], left: usize) -> Table {
     let mut table = Table::new();
@@ -148,7 +177,12 @@ fn table(header: &[&str], left: usize) -> Table {
 }
 
 fn scaled(timing: Option<Timing>, unit: f64) -> String {
-    timing.map_or("-".into(), |timing| digits(timing.median_ns / unit))
+    timing.map_or("-".into(), |timing| cell(timing.median_ns / unit, timing))
+}
+
+/// A figure that was worked out from `timing`, marked where that is no median.
+fn cell(value: f64, timing: Timing) -> String {
+    digits(value) + if timing.runs == 1 { "*" } else { "" }
 }
 
 /// Three digits that count.

@@ -15,15 +15,16 @@ use std::time::Duration;
 pub(crate) struct Rows<'a> {
     case: &'a Case,
     clock: Clock,
-    is_small: bool,
+    /// Up to how many triangles what is quadratic is done.
+    limit: usize,
     rows: Vec<Backend>,
     /// The first answer to each question in each state of the mesh, and who gave it.
     first: Vec<(&'static str, &'static str, &'static str, u64)>,
     mismatches: Vec<String>,
 }
 
-const AS_IT_IS: &str = "as it is";
-const REPAIRED: &str = "repaired";
+pub(crate) const AS_IT_IS: &str = "as it is";
+pub(crate) const REPAIRED: &str = "repaired";
 const NOT_BUILT: &str = "not built";
 
 impl<'a> Rows<'a> {
@@ -35,8 +36,8 @@ impl<'a> Rows<'a> {
         };
         Self {
             case,
-            clock: Clock { budget: Duration::from_millis(options.budget) },
-            is_small: case.as_it_is.soup.faces.len() <= options.quadratic_up_to,
+            clock: Clock { budget: Duration::from_millis(options.budget), gives_up: false },
+            limit: options.quadratic_up_to,
             rows: Vec::new(),
             first: states.into_iter().flat_map(answers).collect(),
             mismatches: Vec::new(),
@@ -72,10 +73,10 @@ impl<'a> Rows<'a> {
 
     /// The search over all faces, where that does not take too long.
     pub(crate) fn measure_baseline(&mut self) {
-        if !self.is_small {
+        let ready = &self.case.as_it_is;
+        if !ready.soup.is_quick_to_search(self.limit) {
             return;
         }
-        let ready = &self.case.as_it_is;
         if let Ok(measured) = self.ask(&BASELINE, ready) {
             self.compare(BASELINE.name, AS_IT_IS, &measured);
             let mut row = empty_row(BASELINE.name, AS_IT_IS);
@@ -87,7 +88,8 @@ impl<'a> Rows<'a> {
 
     fn ask(&self, subject: &Subject, ready: &Ready) -> Result<Measured, BuildError> {
         let Ready { soup, sample, .. } = ready;
-        (subject.measure)(&Plan { soup, sample, clock: self.clock, with_quadratic: self.is_small })
+        let with_quadratic = self.case.as_it_is.soup.faces.len() <= self.limit;
+        (subject.measure)(&Plan { soup, sample, clock: self.clock, with_quadratic })
     }
 
     fn compare(&mut self, who: &'static str, state: &'static str, measured: &Measured) {
@@ -130,9 +132,9 @@ impl<'a> Rows<'a> {
             vertices: soup.vertex_count,
             triangles: soup.faces.len(),
             edges: counts.edges,
+            random_vertices: sample.starts.clone(),
             defects: case.defects.clone(),
             repair: case.repaired.as_ref().map(|(_, repair)| repair.clone()),
-            random_vertices: sample.starts.clone(),
             backends: rows,
             mismatches,
         }
@@ -146,9 +148,9 @@ pub(crate) fn without_faces(name: String, vertices: usize) -> Mesh {
         vertices,
         triangles: 0,
         edges: 0,
+        random_vertices: Vec::new(),
         defects: "nothing to measure on".into(),
         repair: None,
-        random_vertices: Vec::new(),
         backends: Vec::new(),
         mismatches: Vec::new(),
     }

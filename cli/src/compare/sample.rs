@@ -11,6 +11,18 @@ pub(crate) struct Soup {
     pub(crate) is_clean: bool,
 }
 
+impl Soup {
+    /// Whether searching all faces at every step takes no longer than on a regular mesh of a few times `limit`
+    /// triangles. A random corner is at a vertex of d faces as often as there are d, and going around takes d
+    /// searches: the sum of squares is 18 a triangle where each vertex has six faces.
+    pub(crate) fn is_quick_to_search(&self, limit: usize) -> bool {
+        let mut degrees = vec![0_u64; self.vertex_count];
+        self.faces.as_flattened().iter().for_each(|&v| degrees[v as usize] += 1);
+        let squares: u64 = degrees.iter().map(|degree| degree * degree).sum();
+        self.faces.len() <= limit && squares <= 60_u64.saturating_mul(limit as u64)
+    }
+}
+
 /// Random elements of a soup.
 #[derive(Clone, Debug)]
 pub(crate) struct Sample {

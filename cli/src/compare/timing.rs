@@ -18,15 +18,17 @@ pub(crate) struct Timing {
 /// Runs kernels until a budget of time is spent.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clock {
-    /// Time to spend on one kernel.
+    /// Time to spend on one kernel; all are run once where it is zero.
     pub(crate) budget: Duration,
+    /// Whether what takes very long is run once.
+    pub(crate) gives_up: bool,
 }
 
 /// What is shorter is run several times between two looks at the clock.
 const SHORTEST: Duration = Duration::from_micros(50);
 const FEWEST: usize = 3;
 const MOST: usize = 201;
-/// What takes so many budgets is run once: its time is no matter of warm caches.
+/// What is quadratic and takes so many budgets is run once: its time is no matter of warm caches.
 const LONG: u32 = 8;
 
 impl Timing {
@@ -37,12 +39,17 @@ impl Timing {
 }
 
 impl Clock {
+    /// For what takes quadratic time.
+    pub(crate) fn of_quadratic(self) -> Self {
+        Self { gives_up: true, ..self }
+    }
+
     /// Times `run`, after one run to warm caches and branch prediction. The drop of its result is not timed
     /// where one run is long enough to be timed alone.
     pub(crate) fn time<T>(&self, mut run: impl FnMut() -> T) -> Timing {
         let begin = Instant::now();
         let warm = elapsed(&mut run);
-        if warm > LONG * self.budget {
+        if self.budget.is_zero() || self.gives_up && warm > LONG * self.budget {
             let once = warm.as_nanos() as f64;
             return Timing { median_ns: once, min_ns: once, runs: 1 };
         }
@@ -78,17 +85,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn short_work_is_repeated_and_long_work_is_not() {
-        let clock = Clock { budget: Duration::from_millis(2) };
+    fn work_is_repeated_unless_it_is_quadratic_and_long() {
+        let clock = Clock { budget: Duration::from_millis(2), gives_up: false };
         let mut calls = 0_u64;
         let short = clock.time(|| calls += 1);
         assert!(short.runs >= FEWEST && calls > short.runs as u64 && short.min_ns <= short.median_ns);
-        let mut calls = 0;
-        let long = clock.time(|| {
-            calls += 1;
-            std::thread::sleep(Duration::from_millis(20));
-        });
-        assert_eq!((long.runs, calls), (1, 1));
-        assert!(long.median_ns >= 2e7 && long.scaled(2.0).median_ns >= 4e7);
+        let long = |clock: Clock| {
+            let mut calls = 0;
+            let timing = clock.time(|| {
+                calls += 1;
+                std::thread::sleep(Duration::from_millis(20));
+            });
+            assert!(timing.median_ns >= 2e7 && timing.scaled(2.0).median_ns >= 4e7);
+            (timing.runs, calls)
+        };
+        assert_eq!(long(clock), (FEWEST, 1 + FEWEST));
+        assert_eq!(long(clock.of_quadratic()), (1, 1));
+        assert_eq!(long(Clock { budget: Duration::ZERO, ..clock }), (1, 1));
     }
 }

@@ -32,8 +32,8 @@ pub(crate) struct Inspection {
     pub(crate) polygon_sizes: BTreeMap<usize, usize>,
     pub(crate) triangles: usize,
     pub(crate) finite_coordinates: bool,
-    pub(crate) bbox_min: Option<[f32; 3]>,
-    pub(crate) bbox_max: Option<[f32; 3]>,
+    pub(crate) bbox_min: Option<[f64; 3]>,
+    pub(crate) bbox_max: Option<[f64; 3]>,
     pub(crate) area: Option<f64>,
     pub(crate) signed_volume: Option<f64>,
     /// How many vertices have so many edges.
@@ -79,6 +79,8 @@ impl Inspection {
         let Triangles { positions, faces, .. } = mesh;
         let geometry = geometry::Geometry::of(positions, faces);
         let defects = Defects::of(positions.len(), faces);
+        // A glTF file has 32-bit floats and no decimals: each is exactly the number that is there.
+        let number = if mesh.gltf.is_some() { f64::from } else { shortest };
         let mut inspection = Self {
             file: String::new(),
             format: String::new(),
@@ -95,8 +97,8 @@ impl Inspection {
             polygon_sizes: mesh.polygon_sizes.clone(),
             triangles: faces.len(),
             finite_coordinates: geometry::are_finite(positions),
-            bbox_min: geometry.map(|g| g.bbox_min),
-            bbox_max: geometry.map(|g| g.bbox_max),
+            bbox_min: geometry.map(|g| g.bbox_min.map(number)),
+            bbox_max: geometry.map(|g| g.bbox_max.map(number)),
             area: geometry.map(|g| g.area),
             signed_volume: geometry.map(|g| g.signed_volume),
             degree_histogram: degrees(positions.len(), faces),
@@ -126,6 +128,11 @@ impl Inspection {
             *list.entry(key).or_default() += note.count;
         }
     }
+}
+
+/// The number with the fewest decimals that rounds to `x`: most often what a file of decimals has.
+fn shortest(x: f32) -> f64 {
+    x.to_string().parse().unwrap_or(f64::from(x))
 }
 
 impl Topology {
@@ -189,6 +196,17 @@ impl Serialize for Topology {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn coordinates_are_decimals_or_exact_as_the_file_has_them() {
+        let exact = 4_891.903_808_593_75;
+        let positions = vec![[exact as f32, 0.1, -0.0]];
+        let decimal = Triangles { positions, ..Triangles::default() };
+        let binary = Triangles { gltf: Some(gltf::Origin::default()), ..decimal.clone() };
+        let of = |mesh: &Triangles| Inspection::of_mesh(mesh).bbox_max;
+        assert_eq!(of(&decimal), Some([4_891.904, 0.1, 0.0]));
+        assert_eq!(of(&binary), Some([exact, f64::from(0.1_f32), 0.0]));
+    }
 
     #[test]
     fn degrees_count_edges_once_and_isolated_vertices() {

@@ -62,7 +62,7 @@ fn or_none(value: Option<impl Display>) -> String {
     value.map_or("-".into(), |value| value.to_string())
 }
 
-fn point([x, y, z]: [f32; 3]) -> String {
+fn point([x, y, z]: [f64; 3]) -> String {
     format!("{x} {y} {z}")
 }
 
