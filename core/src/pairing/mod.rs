@@ -32,10 +32,10 @@ pub enum Pairing {
     /// A hash map from edge to half-edge (hashbrown with FxHash). O(n) expected, but not for chosen input.
     Hash,
     /// A counting sort by the lower vertex of each edge, then a sort of each bucket. O(n log(largest bucket)),
-    /// whatever the input; the fastest on a shuffled mesh.
+    /// whatever the input; the fastest on a small or a shuffled mesh.
     CountingSort,
-    /// A list of edges for each lower vertex, linked through the table of opposites itself. The fastest where
-    /// faces that are near in the mesh are near in the list. Falls back to `CountingSort` where lists get long,
+    /// A list of edges for each lower vertex, linked through the table of opposites itself. The fastest on a large
+    /// mesh where faces that are near in the mesh are near in the list. Falls back to `CountingSort` where lists get long,
     /// so it is never worse than that by more than a constant.
     Chain,
 }
@@ -48,8 +48,11 @@ impl Pairing {
     /// The strategy that `Auto` takes for this input, by its counts and a sample of its faces. O(1).
     pub fn choose(vertex_count: usize, faces: &[[u32; 3]]) -> Pairing {
         let half_edges = 3 * faces.len();
+        // Up to here the counting sort stays in the cache, and takes fewer turns that a processor cannot foresee.
+        const SMALL: usize = 1 << 17;
         let is_sparse = vertex_count > counting_sort::SPARSE * half_edges;
-        if half_edges > chain::MAX_HALF_EDGES || is_sparse || is_shuffled(vertex_count, faces) {
+        let is_small = vertex_count <= SMALL;
+        if half_edges > chain::MAX_HALF_EDGES || is_small || is_sparse || is_shuffled(faces) {
             Self::CountingSort
         } else {
             Self::Chain
@@ -70,20 +73,14 @@ impl fmt::Display for Pairing {
     }
 }
 
-/// Whether consecutive faces are far apart, by a sample of them, in a mesh too large for the cache.
-fn is_shuffled(vertex_count: usize, faces: &[[u32; 3]]) -> bool {
+/// Whether consecutive faces are far apart, by a sample of them: most have no corners with near numbers.
+fn is_shuffled(faces: &[[u32; 3]]) -> bool {
     const SAMPLES: usize = 256;
-    // A list head for each vertex: 1 MB.
-    const IN_CACHE: usize = 1 << 18;
-    const FAR: u32 = 1 << 14;
-    if vertex_count <= IN_CACHE || faces.len() <= SAMPLES {
-        return false;
-    }
-    let low = |f: &[u32; 3]| f[0].min(f[1]).min(f[2]);
-    let is_far = |pair: &[[u32; 3]]| low(&pair[0]).abs_diff(low(&pair[1])) > FAR;
-    let step = faces.len() / SAMPLES;
-    let far = faces.windows(2).step_by(step).filter(|pair| is_far(pair)).count();
-    far > SAMPLES / 4
+    const FAR: u32 = 1 << 10;
+    let is_near = |pair: &&[[u32; 3]]| pair[0].iter().any(|u| pair[1].iter().any(|v| u.abs_diff(*v) < FAR));
+    let step = (faces.len() / SAMPLES).max(1);
+    let sample = || faces.windows(2).step_by(step);
+    sample().filter(is_near).count() < sample().count() / 2
 }
 
 /// Half-edges with their opposites, and the edges where there is no such thing.
