@@ -46,7 +46,8 @@ pub struct RepairOptions<'a> {
 /// that have the same three vertices as an earlier one, in whatever order; orients every patch with the fewest
 /// flips; cuts patches that have no orientation along a seam, all faces of an edge of three or more apart, and
 /// each vertex into as many as it has fans then. Where at an edge of many faces two still are neighbours around
-/// both its ends, they stay joined. Isolated vertices stay.
+/// both its ends, they stay joined. Isolated vertices stay. Two faces back to back are copies, so one of them goes,
+/// though every backend would hold such a pillow.
 ///
 /// Afterwards every edge has at most two faces, in opposite directions, every vertex at most one fan, and no two
 /// faces have the same vertices. No area is lost but that of the dropped faces. Repairing again changes nothing.
