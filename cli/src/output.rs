@@ -1,9 +1,6 @@
-//! How a run ends, what goes to the terminal, and files that appear whole or not at all.
+//! How a run ends, and what goes to the terminal.
 
-use std::ffi::OsString;
-use std::fs::{self, File};
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// How a run ended.
@@ -46,61 +43,4 @@ pub(crate) fn print(text: &str) -> io::Result<()> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes())?;
     out.flush()
-}
-
-/// A file that is written beside its name and renamed at the end: whoever reads it never sees half of it, and
-/// what was there stays if this run fails.
-#[derive(Debug)]
-pub(crate) struct Replacement {
-    file: File,
-    /// `None` where the name is no regular file, such as a pipe, which has to be written to directly.
-    beside: Option<PathBuf>,
-    target: PathBuf,
-}
-
-impl Replacement {
-    /// Fails where the file could not be written, before there is something to write.
-    pub(crate) fn create(path: &Path) -> io::Result<Self> {
-        // A link stays one: what it leads to is replaced.
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        match fs::metadata(&target) {
-            Ok(found) if !found.is_file() => {
-                let file = File::options().write(true).open(&target)?;
-                Ok(Self { file, beside: None, target })
-            }
-            _ => {
-                let beside = name_beside(&target)?;
-                let file = File::options().write(true).create_new(true).open(&beside)?;
-                Ok(Self { file, beside: Some(beside), target })
-            }
-        }
-    }
-
-    /// Writes everything and takes the place of the old file.
-    pub(crate) fn finish(mut self, bytes: &[u8]) -> io::Result<()> {
-        self.file.write_all(bytes)?;
-        if let Some(beside) = &self.beside {
-            self.file.sync_all()?;
-            fs::rename(beside, &self.target)?;
-            self.beside = None;
-        }
-        Ok(())
-    }
-}
-
-/// Leaves nothing behind where the run ended early.
-impl Drop for Replacement {
-    fn drop(&mut self) {
-        if let Some(beside) = &self.beside {
-            let _ = fs::remove_file(beside);
-        }
-    }
-}
-
-fn name_beside(target: &Path) -> io::Result<PathBuf> {
-    let name = target.file_name().ok_or(io::ErrorKind::InvalidInput)?;
-    let mut hidden = OsString::from(".");
-    hidden.push(name);
-    hidden.push(format!(".{}.tmp", std::process::id()));
-    Ok(target.with_file_name(hidden))
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::{Format, Item, Place};
 
-/// Why a mesh file could not be read. Its `Display` is one line that names the file where it is known:
+/// Why a mesh could not be read or written. Its `Display` is one line that names the file where it is known:
 /// `part.obj:20: face names vertex 12, but there are 8`.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -51,6 +51,30 @@ pub enum Error {
         /// What is needed, such as the name of a glTF extension.
         feature: String,
     },
+    /// The file is packed with gzip, and cannot be unpacked.
+    #[error("{}gzip: {problem}", Colon(path))]
+    Gzip {
+        /// The file, where [`load`](crate::load) was asked for one.
+        path: Option<PathBuf>,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// A mesh was asked for in a format that is only read.
+    #[error("{}{format} is read, but not written; written are {}", Colon(path), Format::list_written())]
+    ReadOnly {
+        /// What was asked for.
+        format: Format,
+        /// The file, where [`save`](crate::save) was asked for one.
+        path: Option<PathBuf>,
+    },
+    /// The mesh could not be written. Where it is a file, what was there before is still there.
+    #[error("{}{source}", Colon(path))]
+    Write {
+        /// The file, where [`save`](crate::save) was asked for one.
+        path: Option<PathBuf>,
+        /// What the system said.
+        source: io::Error,
+    },
     /// Memory ran out.
     #[error("{}out of memory: {bytes} bytes", Colon(path))]
     OutOfMemory {
@@ -70,6 +94,9 @@ impl Error {
             Self::UnknownFormat { path }
             | Self::Malformed { path, .. }
             | Self::Unsupported { path, .. }
+            | Self::Gzip { path, .. }
+            | Self::ReadOnly { path, .. }
+            | Self::Write { path, .. }
             | Self::OutOfMemory { path, .. } => *path = Some(file.to_owned()),
         }
         self
@@ -183,6 +210,16 @@ pub enum Reason {
         elements: u64,
         /// Bytes of the file and of all its buffers.
         bytes: u64,
+    },
+    /// A mesh to be written has an attribute for another number of vertices or faces.
+    #[error("attribute `{name}` has {found} values, but there are {needed} elements")]
+    AttributeLength {
+        /// Its name.
+        name: String,
+        /// Vertices or faces of the mesh.
+        needed: usize,
+        /// Values of the attribute.
+        found: usize,
     },
     /// Attributes beside the faces do not belong to them.
     #[error("attributes do not match the faces: {problem}")]

@@ -1,9 +1,14 @@
-//! Which formats there are, and how one is recognised. A new format starts here.
+//! Which formats there are, how one is recognised, read and written. A new format is a variant and a row here, and
+//! a file of its own.
 
 use std::fmt;
+use std::io::{self, Write};
 use std::path::Path;
 
-/// The file formats that this crate reads.
+use crate::load::Request;
+use crate::{Error, MeshRef, Triangles, gltf, obj};
+
+/// The file formats that this crate knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Format {
@@ -15,47 +20,140 @@ pub enum Format {
     Glb,
 }
 
-/// Every format with the extension that names it.
-const ALL: [(Format, &str); 3] = [(Format::Obj, "obj"), (Format::Gltf, "gltf"), (Format::Glb, "glb")];
+/// How a mesh is written in a format. The mesh has been checked.
+pub(crate) type Writer = fn(&MeshRef<'_>, &mut dyn Write) -> io::Result<()>;
+
+struct Row {
+    format: Format,
+    name: &'static str,
+    /// In lower case; the first one is that of new files.
+    extensions: &'static [&'static str],
+    /// Whether a file begins like one of this format. The first row that says so has it.
+    begins: fn(&[u8]) -> bool,
+    read: fn(&[u8], &Request<'_>) -> Result<Triangles, Error>,
+    write: Option<Writer>,
+}
+
+/// Every format. Those with a mark of their own at the start come first, those that are guessed last.
+const ROWS: [Row; 3] = [
+    Row {
+        format: Format::Glb,
+        name: "GLB",
+        extensions: &["glb"],
+        begins: |bytes| bytes.starts_with(gltf::MAGIC),
+        read: gltf::read_request,
+        write: None,
+    },
+    Row {
+        format: Format::Gltf,
+        name: "glTF",
+        extensions: &["gltf"],
+        begins: gltf::looks_like_json,
+        read: gltf::read_request,
+        write: None,
+    },
+    Row {
+        format: Format::Obj,
+        name: "OBJ",
+        extensions: &["obj"],
+        begins: obj::begins_with_keyword,
+        read: |bytes, _| obj::read(bytes),
+        write: Some(obj::write),
+    },
+];
 
 impl Format {
+    /// Every format, in the order in which they are tried on a file.
+    pub fn all() -> impl ExactSizeIterator<Item = Self> {
+        ROWS.iter().map(|row| row.format)
+    }
+
     /// The format of a file, by its content first and its extension second: a GLB that was named `.obj`
     /// is read as a GLB. `None` if neither is known.
     pub fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
         Self::of_content(bytes).or_else(|| Self::of_extension(path))
     }
 
-    /// The format that the content shows: `glTF` at the very start is a GLB, a JSON object is a glTF, and
-    /// text whose first word is an OBJ keyword is an OBJ. Reads at most as far as the first word that is
-    /// in no comment.
+    /// The format that the content shows, such as `glTF` at the very start for a GLB, or text whose first word is
+    /// an OBJ keyword. Reads at most as far as the first word that is in no comment.
     pub fn of_content(bytes: &[u8]) -> Option<Self> {
-        if bytes.starts_with(crate::gltf::MAGIC) {
-            Some(Self::Glb)
-        } else if crate::gltf::looks_like_json(bytes) {
-            Some(Self::Gltf)
-        } else {
-            crate::obj::begins_with_keyword(bytes).then_some(Self::Obj)
-        }
+        ROWS.iter().find(|row| (row.begins)(bytes)).map(|row| row.format)
     }
 
-    /// The format that the extension names, in upper or lower case.
+    /// The format that the extension names, in upper or lower case; `.gz` behind it is passed over.
     pub fn of_extension(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?;
-        ALL.iter().find(|(_, name)| extension.eq_ignore_ascii_case(name)).map(|(format, _)| *format)
+        if extension.eq_ignore_ascii_case("gz") {
+            let inner = Path::new(path.file_stem()?);
+            return inner.extension().and_then(|_| Self::of_extension(inner));
+        }
+        Self::of_name(extension)
+    }
+
+    /// The format with this extension, without its dot, in upper or lower case.
+    pub fn of_name(extension: &str) -> Option<Self> {
+        let has = |row: &&Row| row.extensions.iter().any(|known| extension.eq_ignore_ascii_case(known));
+        ROWS.iter().find(has).map(|row| row.format)
+    }
+
+    /// The extensions that name the format, in lower case and without a dot; the first is that of new files.
+    pub fn extensions(self) -> &'static [&'static str] {
+        self.row().extensions
+    }
+
+    /// Whether [`save`](crate::save) can write it.
+    pub fn is_written(self) -> bool {
+        self.row().write.is_some()
+    }
+
+    pub(crate) fn read(self, bytes: &[u8], request: &Request<'_>) -> Result<Triangles, Error> {
+        (self.row().read)(bytes, request)
+    }
+
+    pub(crate) fn writer(self) -> Option<Writer> {
+        self.row().write
     }
 
     /// `.obj, .gltf, .glb`
     pub(crate) fn list() -> String {
-        ALL.map(|(_, name)| format!(".{name}")).join(", ")
+        let all: Vec<String> =
+            ROWS.iter().flat_map(|row| row.extensions).map(|name| format!(".{name}")).collect();
+        all.join(", ")
+    }
+
+    /// The first extension of each format that is written: `.obj, .ply`
+    pub(crate) fn list_written() -> String {
+        let written = ROWS.iter().filter(|row| row.write.is_some());
+        let all: Vec<String> = written.map(|row| format!(".{}", row.extensions[0])).collect();
+        all.join(", ")
+    }
+
+    fn row(self) -> &'static Row {
+        ROWS.iter().find(|row| row.format == self).unwrap_or(&ROWS[0])
     }
 }
 
 impl fmt::Display for Format {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Obj => "OBJ",
-            Self::Gltf => "glTF",
-            Self::Glb => "GLB",
-        })
+        f.write_str(self.row().name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_extension_names_its_format() {
+        for row in &ROWS {
+            assert_eq!(ROWS.iter().filter(|other| other.format == row.format).count(), 1);
+            for extension in row.extensions {
+                let upper = format!("a.{}", extension.to_uppercase());
+                assert_eq!(Format::of_extension(Path::new(&upper)), Some(row.format));
+                assert_eq!(Format::of_extension(Path::new(&(upper + ".gz"))), Some(row.format));
+            }
+        }
+        assert_eq!(Format::of_extension(Path::new("obj")), None);
+        assert_eq!(Format::of_extension(Path::new("a.gz.gz")), None);
     }
 }

@@ -29,6 +29,7 @@ use self::accessor::Source;
 use self::document::Document;
 use self::primitive::Assembly;
 use crate::error::quote;
+use crate::load::Request;
 use crate::{Error, Format, Place, Reason, Triangles};
 
 pub use self::origin::{BufferKind, Origin};
@@ -76,7 +77,11 @@ pub fn read_beside(bytes: &[u8], folder: &Path) -> Result<Triangles, Error> {
     read_format(bytes, format_of(bytes), Some(folder))
 }
 
-pub(crate) fn read_format(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Triangles, Error> {
+pub(crate) fn read_request(bytes: &[u8], request: &Request<'_>) -> Result<Triangles, Error> {
+    read_format(bytes, request.format, request.folder)
+}
+
+fn read_format(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Triangles, Error> {
     let malformed = |place, reason| Error::malformed(format, place, reason);
     let glb::Parts { json, bin } = match format {
         Format::Glb => glb::split(bytes)?,

@@ -28,12 +28,15 @@
 //!   file has them.
 //! - Degenerate, duplicate and non-manifold faces are kept: finding and mending them is the library's work.
 
+mod attribute;
 mod beside;
 mod error;
 mod format;
 pub mod gltf;
+mod gzip;
 mod load;
 mod memory;
+mod mesh_ref;
 #[cfg(feature = "tobj")]
 mod mtl;
 mod number;
@@ -41,11 +44,19 @@ pub mod obj;
 #[cfg(feature = "tobj")]
 pub mod obj_attributes;
 mod place;
+mod polygons;
+mod replacement;
+mod save;
 mod text;
 mod triangles;
+mod words;
 
+pub use attribute::{Attribute, Values};
 pub use error::{Error, Reason};
 pub use format::Format;
-pub use load::{bytes_of, load, read, read_as, read_at};
+pub use load::{Options, bytes_of, load, read, read_as, read_at};
+pub use mesh_ref::MeshRef;
 pub use place::{Item, Place};
+pub use replacement::Replacement;
+pub use save::{save, save_as, write};
 pub use triangles::{Note, Skipped, Triangles};

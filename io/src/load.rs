@@ -4,26 +4,105 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-use crate::{Error, Format, Triangles, gltf, obj};
+use crate::{Error, Format, Triangles, gzip};
 
-/// Reads the mesh in the file at `path`; the format is [`Format::of`] its content and its extension.
+/// What a caller may choose of how files are read.
+///
+/// ```
+/// let mut options = onering_io::Options::default();
+/// options.weld_stl = false;
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct Options {
+    /// Merge the corners of an STL file that have equal coordinates, in order of first appearance. An STL file has
+    /// no vertices, only corners, so this is on by default. -0 and 0 are equal; a NaN is equal to nothing.
+    pub weld_stl: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { weld_stl: true }
+    }
+}
+
+/// What the reader of a format is asked for, besides the bytes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Request<'a> {
+    pub(crate) format: Format,
+    /// Where files may lie that this one names; `None` where it may name none.
+    pub(crate) folder: Option<&'a Path>,
+    pub(crate) options: Options,
+}
+
+impl Options {
+    /// [`load`] with these options.
+    ///
+    /// # Errors
+    /// As [`load`].
+    pub fn load(&self, path: impl AsRef<Path>) -> Result<Triangles, Error> {
+        let path = path.as_ref();
+        self.read_at(&bytes_of(path)?, path)
+    }
+
+    /// [`read_at`] with these options.
+    ///
+    /// # Errors
+    /// As [`load`].
+    pub fn read_at(&self, bytes: &[u8], path: impl AsRef<Path>) -> Result<Triangles, Error> {
+        let path = path.as_ref();
+        let folder = Some(path.parent().unwrap_or(Path::new("")));
+        self.dispatch(bytes, |bytes| Format::of(path, bytes), folder).map_err(|error| error.in_file(path))
+    }
+
+    /// [`read`] with these options.
+    ///
+    /// # Errors
+    /// As [`read`].
+    pub fn read(&self, bytes: &[u8]) -> Result<Triangles, Error> {
+        self.dispatch(bytes, Format::of_content, None)
+    }
+
+    /// [`read_as`] with these options.
+    ///
+    /// # Errors
+    /// As [`read_as`].
+    pub fn read_as(&self, bytes: &[u8], format: Format) -> Result<Triangles, Error> {
+        self.dispatch(bytes, |_| Some(format), None)
+    }
+
+    /// The one place where bytes meet the reader of their format.
+    fn dispatch(
+        &self,
+        bytes: &[u8],
+        format_of: impl FnOnce(&[u8]) -> Option<Format>,
+        folder: Option<&Path>,
+    ) -> Result<Triangles, Error> {
+        let bytes = gzip::unpacked(bytes)?;
+        let format = format_of(&bytes).ok_or(Error::UnknownFormat { path: None })?;
+        format.read(&bytes, &Request { format, folder, options: *self })
+    }
+}
+
+/// Reads the mesh in the file at `path`; the format is [`Format::of`] its content and its extension. A file that is
+/// packed with gzip is unpacked first, whatever its name.
 ///
 /// No other file is opened, but for the buffers that a glTF document names in its own folder (see
-/// [`gltf::read_beside`]).
+/// [`gltf::read_beside`](crate::gltf::read_beside)).
 ///
 /// # Time and memory
 /// Linear in the bytes of the file and its buffers, whatever is in them; they are in memory as a whole while
 /// they are read. The result has at most 6 bytes for each byte of an OBJ file, and 48 for each byte of a glTF
-/// document and its files, or 800 kB: see [`gltf::read_beside`]. While it is made, memory besides the file is
-/// at most 20 bytes for each byte of an OBJ file. For a glTF document it is at most 100 for each of its bytes
-/// and of its files, and 140 more for each byte of JSON; few files come near that.
+/// document and its files, or 800 kB: see [`gltf::read_beside`](crate::gltf::read_beside). While it is made, memory
+/// besides the file is at most 20 bytes for each byte of an OBJ file. For a glTF document it is at most 100 for each
+/// of its bytes and of its files, and 140 more for each byte of JSON; few files come near that. A gzip file counts
+/// as what is in it, which is at most 100 times as large, or 16 MiB.
 ///
 /// # Errors
 /// [`Error::Io`] if the file cannot be read, is a directory or a device, [`Error::UnknownFormat`], or what the
 /// format's reader says. All of them name the file.
 pub fn load(path: impl AsRef<Path>) -> Result<Triangles, Error> {
-    let path = path.as_ref();
-    read_at(&bytes_of(path)?, path)
+    Options::default().load(path)
 }
 
 /// All bytes of the file at `path`, for [`read_at`] and whatever else they are wanted for. A pipe is read to its
@@ -47,36 +126,23 @@ pub fn bytes_of(path: impl AsRef<Path>) -> Result<Vec<u8>, Error> {
 /// # Errors
 /// As [`load`].
 pub fn read_at(bytes: &[u8], path: impl AsRef<Path>) -> Result<Triangles, Error> {
-    let path = path.as_ref();
-    let folder = path.parent().unwrap_or(Path::new(""));
-    Format::of(path, bytes)
-        .ok_or(Error::UnknownFormat { path: None })
-        .and_then(|format| dispatch(bytes, format, Some(folder)))
-        .map_err(|error| error.in_file(path))
+    Options::default().read_at(bytes, path)
 }
 
-/// Reads the mesh in `bytes`; the format is [`Format::of_content`].
+/// Reads the mesh in `bytes`, which may be packed with gzip; the format is [`Format::of_content`].
 ///
 /// # Errors
 /// [`Error::UnknownFormat`], or what the format's reader says.
 pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
-    read_as(bytes, Format::of_content(bytes).ok_or(Error::UnknownFormat { path: None })?)
+    Options::default().read(bytes)
 }
 
-/// Reads the mesh in `bytes`, which are of this format.
+/// Reads the mesh in `bytes`, which are of this format and may be packed with gzip.
 ///
 /// # Errors
-/// What the format's reader says: see [`obj::read`] and [`gltf::read`].
+/// What the format's reader says, such as [`obj::read`](crate::obj::read).
 pub fn read_as(bytes: &[u8], format: Format) -> Result<Triangles, Error> {
-    dispatch(bytes, format, None)
-}
-
-/// The one place where a format meets its reader.
-fn dispatch(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Triangles, Error> {
-    match format {
-        Format::Obj => obj::read(bytes),
-        Format::Gltf | Format::Glb => gltf::read_format(bytes, format, folder),
-    }
+    Options::default().read_as(bytes, format)
 }
 
 /// Refuses directories, in words of our own since systems differ in theirs, and devices.

@@ -12,12 +12,15 @@
 //! - A backslash continues a line; LF, CRLF and CR end one. Names and comments may be in any encoding.
 
 mod keyword;
+mod writer;
 
 pub(crate) use self::keyword::begins_with_keyword;
 use self::keyword::{element, is_other};
+pub(crate) use self::writer::write;
 use crate::error::quote;
-use crate::memory::{push, reserve};
+use crate::memory::push;
 use crate::number::{f32_of, index_prefix};
+use crate::polygons::Polygons;
 use crate::text::Scanner;
 use crate::triangles::skip;
 use crate::{Error, Format, Note, Place, Reason, Skipped, Triangles};
@@ -61,12 +64,7 @@ struct Reader<'a> {
     /// How many vertices a corner may name.
     limit: u32,
     positions: Vec<[f32; 3]>,
-    faces: Vec<[u32; 3]>,
-    /// `sizes[n]` polygons of n corners; the larger ones are in `polygon_sizes`.
-    sizes: [usize; 8],
-    polygon_sizes: std::collections::BTreeMap<usize, usize>,
-    /// The first face of each polygon, from the first one on that is no triangle.
-    polygon_starts: Option<Vec<u32>>,
+    polygons: Polygons,
     /// One more than the highest corner of any face.
     corner_bound: u32,
     notes: Vec<Note>,
@@ -80,10 +78,7 @@ impl<'a> Reader<'a> {
             scanner: Scanner::new(bytes),
             limit,
             positions: Vec::new(),
-            faces: Vec::new(),
-            sizes: [0; 8],
-            polygon_sizes: Default::default(),
-            polygon_starts: None,
+            polygons: Polygons::default(),
             corner_bound: 0,
             notes: Vec::new(),
             statements: 0,
@@ -127,24 +122,18 @@ impl<'a> Reader<'a> {
 
     #[inline(always)]
     fn face(&mut self, line: Place) -> Result<(), Error> {
-        let start = self.faces.len();
-        let (mut first, mut previous, mut size, mut bound) = (0, 0, 0, 0);
+        let mut polygon = self.polygons.open();
+        let mut bound = 0;
         let mut beyond = None;
         while let Some(word) = self.scanner.word() {
             let corner = self.corner(word, line)?;
             if corner >= self.limit && beyond.is_none() {
                 beyond = Some(word);
             }
-            match size {
-                0 => first = corner,
-                1 => {}
-                _ => push(&mut self.faces, [first, previous, corner])?,
-            }
+            self.polygons.corner(&mut polygon, corner)?;
             bound = bound.max(corner.saturating_add(1));
-            previous = corner;
-            size += 1;
         }
-        if size < 3 {
+        if polygon.size < 3 {
             skip(&mut self.notes, Skipped::ShortFaces, 1, line);
             return Ok(());
         }
@@ -152,8 +141,7 @@ impl<'a> Reader<'a> {
             return Err(out_of_range(word, self.limit as usize, line));
         }
         self.corner_bound = self.corner_bound.max(bound);
-        self.count_polygon(size);
-        self.start_polygon(start, size)
+        self.polygons.close(polygon)
     }
 
     /// The vertex that a corner names; `u32::MAX` for any number that is too large for a `u32`.
@@ -176,32 +164,6 @@ impl<'a> Reader<'a> {
         Ok(u32::try_from(corner).unwrap_or(u32::MAX))
     }
 
-    #[inline(always)]
-    fn count_polygon(&mut self, size: usize) {
-        match self.sizes.get_mut(size) {
-            Some(count) => *count += 1,
-            None => *self.polygon_sizes.entry(size).or_default() += 1,
-        }
-    }
-
-    /// Notes where a polygon starts; not before there is a polygon that is no triangle.
-    #[inline(always)]
-    fn start_polygon(&mut self, start: usize, size: usize) -> Result<(), Error> {
-        if let Some(starts) = &mut self.polygon_starts {
-            return push(starts, start as u32);
-        }
-        if size == 3 { Ok(()) } else { self.start_all_so_far(start) }
-    }
-
-    #[cold]
-    fn start_all_so_far(&mut self, start: usize) -> Result<(), Error> {
-        let mut starts = Vec::new();
-        reserve(&mut starts, start + 1)?;
-        starts.extend(0..=start as u32);
-        self.polygon_starts = Some(starts);
-        Ok(())
-    }
-
     #[cold]
     fn other(&mut self, keyword: &[u8], line: Place) {
         if let Some(element) = element(keyword) {
@@ -213,7 +175,7 @@ impl<'a> Reader<'a> {
 
     /// The first unknown line of a file that is not OBJ at all.
     fn junk(&self) -> Option<Place> {
-        let is_empty = self.positions.is_empty() && self.faces.is_empty();
+        let is_empty = self.positions.is_empty() && self.polygons.faces().is_empty();
         let unknown = self.notes.iter().find(|note| note.what == Skipped::UnknownStatements);
         let is_most = |note: &&Note| is_empty && note.count > self.statements - note.count;
         unknown.filter(is_most).map(|note| note.first)
@@ -225,16 +187,11 @@ impl<'a> Reader<'a> {
                 "an OBJ file: it has no vertex, and most lines begin with no keyword of the format";
             return Err(malformed(line, Reason::NotThisFormat { expected }));
         }
-        if self.positions.len().max(self.faces.len()) > u32::MAX as usize {
+        if self.positions.len().max(self.polygons.faces().len()) > u32::MAX as usize {
             return Err(malformed(Place::File, Reason::TooMany));
         }
-        let small = self.sizes.into_iter().enumerate().filter(|(_, count)| *count > 0);
-        self.polygon_sizes.extend(small);
         self.positions.shrink_to_fit();
-        self.faces.shrink_to_fit();
-        self.polygon_starts.iter_mut().for_each(Vec::shrink_to_fit);
-        let Self { positions, faces, polygon_sizes, polygon_starts, notes, .. } = self;
-        Ok(Triangles { positions, faces, polygon_sizes, polygon_starts, notes, gltf: None })
+        Ok(self.polygons.into_triangles(self.positions, self.notes))
     }
 }
 

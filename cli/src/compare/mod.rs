@@ -15,13 +15,14 @@ mod timing;
 
 use crate::args;
 use crate::default_mesh;
-use crate::output::{self, Replacement, Status};
+use crate::output::{self, Status};
 use case::Case;
 use indicatif::{ProgressBar, ProgressStyle};
 use machine::Machine;
+use onering_io::Replacement;
 use record::{Mesh, Run, Settings, Unread};
 use row::Rows;
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 
 /// Measures, prints a report for each mesh as soon as it is done, and writes the JSON at the end.
@@ -135,10 +136,10 @@ impl<'a> Comparison<'a> {
         if meshes.iter().any(|mesh| !mesh.mismatches.is_empty()) {
             status = Status::Partly;
         }
-        if let Some((path, file)) = json {
+        if let Some((path, mut file)) = json {
             let mut text = serde_json::to_vec_pretty(&self.run)?;
             text.push(b'\n');
-            if let Err(error) = file.finish(&text) {
+            if let Err(error) = file.write_all(&text).and_then(|()| file.finish()) {
                 output::complain(&format!("{}: {error}", path.display()));
                 status = Status::Partly;
             }

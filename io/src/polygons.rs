@@ -1,0 +1,97 @@
+//! Polygons of any size, cut into fans of triangles as they are read.
+
+use std::collections::BTreeMap;
+
+use crate::memory::{push, reserve};
+use crate::{Error, Note, Triangles};
+
+/// Faces so far, and what is to be told of the polygons that they were cut from.
+#[derive(Debug, Default)]
+pub(crate) struct Polygons {
+    faces: Vec<[u32; 3]>,
+    /// `small[n]` polygons of n corners; the larger ones are in `large`.
+    small: [usize; 8],
+    large: BTreeMap<usize, usize>,
+    /// The first face of each polygon, from the first one on that is no triangle.
+    starts: Option<Vec<u32>>,
+}
+
+/// A polygon of which some corners were read.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Open {
+    start: usize,
+    first: u32,
+    previous: u32,
+    /// How many corners were read.
+    pub(crate) size: usize,
+}
+
+impl Polygons {
+    pub(crate) fn faces(&self) -> &[[u32; 3]] {
+        &self.faces
+    }
+
+    /// Begins a polygon. One of fewer than three corners need not be closed: it has no face.
+    #[inline(always)]
+    pub(crate) fn open(&self) -> Open {
+        Open { start: self.faces.len(), first: 0, previous: 0, size: 0 }
+    }
+
+    /// The next corner of a polygon: from the third one on, each is a face.
+    #[inline(always)]
+    pub(crate) fn corner(&mut self, polygon: &mut Open, corner: u32) -> Result<(), Error> {
+        match polygon.size {
+            0 => polygon.first = corner,
+            1 => {}
+            _ => push(&mut self.faces, [polygon.first, polygon.previous, corner])?,
+        }
+        polygon.previous = corner;
+        polygon.size += 1;
+        Ok(())
+    }
+
+    /// Ends a polygon of three corners or more.
+    #[inline(always)]
+    pub(crate) fn close(&mut self, polygon: Open) -> Result<(), Error> {
+        match self.small.get_mut(polygon.size) {
+            Some(count) => *count += 1,
+            None => *self.large.entry(polygon.size).or_default() += 1,
+        }
+        if let Some(starts) = &mut self.starts {
+            return push(starts, polygon.start as u32);
+        }
+        if polygon.size == 3 { Ok(()) } else { self.start_all_so_far(polygon.start) }
+    }
+
+    /// A polygon that was a triangle from the start.
+    #[inline(always)]
+    pub(crate) fn triangle(&mut self, corners: [u32; 3]) -> Result<(), Error> {
+        let start = self.faces.len();
+        push(&mut self.faces, corners)?;
+        self.close(Open { start, first: corners[0], previous: corners[2], size: 3 })
+    }
+
+    #[cold]
+    fn start_all_so_far(&mut self, start: usize) -> Result<(), Error> {
+        let mut starts = Vec::new();
+        reserve(&mut starts, start + 1)?;
+        starts.extend(0..=start as u32);
+        self.starts = Some(starts);
+        Ok(())
+    }
+
+    pub(crate) fn into_triangles(mut self, positions: Vec<[f32; 3]>, notes: Vec<Note>) -> Triangles {
+        self.faces.shrink_to_fit();
+        self.starts.iter_mut().for_each(Vec::shrink_to_fit);
+        let small = self.small.into_iter().enumerate().filter(|(_, count)| *count > 0);
+        self.large.extend(small);
+        Triangles {
+            positions,
+            faces: self.faces,
+            polygon_sizes: self.large,
+            polygon_starts: self.starts,
+            notes,
+            gltf: None,
+        }
+    }
+}
