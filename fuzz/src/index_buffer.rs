@@ -1,0 +1,66 @@
+//! Any list of triangles: what is said of it, what every backend makes of it, and what repair makes of it.
+mod algorithms;
+mod backends;
+mod mended;
+#[allow(dead_code, reason = "shared with tests that use more of it")]
+#[path = "../../tests/common/naive.rs"]
+mod naive;
+
+use onering::Defects;
+
+/// A list of triangles.
+struct List {
+    vertices: usize,
+    faces: Vec<[u32; 3]>,
+}
+
+/// Faces beyond these are ignored, so that a run takes milliseconds.
+const MOST_FACES: usize = 256;
+
+/// Up to here answers are compared with those of searches, which take the square of the faces or more.
+const SEARCHED: usize = 12;
+
+/// One byte for the number of vertices, one for choices, and one for each corner.
+///
+/// The highest bit of the choices leaves corners as they are; without it they come into range.
+pub fn index_buffer(bytes: &[u8]) {
+    let &[vertices, choices, ref corners @ ..] = bytes else { return };
+    let vertices = vertices % 64;
+    let in_range = |corner: u8| if choices < 128 && vertices > 0 { corner % vertices } else { corner };
+    let faces = corners.as_chunks::<3>().0.iter().take(MOST_FACES);
+    let faces = faces.map(|face| face.map(|corner| in_range(corner).into())).collect();
+    let list = List { vertices: vertices.into(), faces };
+    let defects = Defects::of(list.vertices, &list.faces);
+    lists_are_counted(&list, &defects);
+    far_apart(&list, &defects, (1 << (choices % 25)) + 1);
+    backends::pairings(&list);
+    backends::every(&list, &defects);
+    backends::adaptors(&list, &defects);
+    mended::mended(&list, &defects);
+    mended::welded(&list, choices);
+}
+
+/// The lists of the elements are as long as the figures say.
+fn lists_are_counted(list: &List, defects: &Defects) {
+    let lists = &defects.lists;
+    assert_eq!(lists.out_of_range_faces.len(), defects.out_of_range_faces);
+    assert_eq!(lists.degenerate_faces.len(), defects.degenerate_faces);
+    assert_eq!(lists.isolated_vertices.iter().map(|run| run.len()).sum::<usize>(), defects.isolated_vertices);
+    assert_eq!(defects.degrees.used() + defects.isolated_vertices, list.vertices);
+    assert!(!defects.to_string().contains('\n'));
+    if defects.is_clean() {
+        assert!(defects.manifold && defects.orientable && defects.min_flips == 0, "{defects}");
+    }
+}
+
+/// Numbers far apart go another way; what they name does not matter.
+fn far_apart(list: &List, near: &Defects, step: u32) {
+    let far: Vec<_> = list.faces.iter().map(|face| face.map(|v| v * step)).collect();
+    let vertices = list.vertices.checked_sub(1).map_or(0, |last| last * step as usize + 1);
+    let far = Defects::of(vertices, &far);
+    assert_eq!(far.isolated_vertices, near.isolated_vertices + vertices - list.vertices);
+    let figures = |defects: &Defects| -> Vec<_> {
+        defects.figures().filter(|(name, _)| *name != "isolated_vertices").collect()
+    };
+    assert_eq!(figures(&far), figures(near), "{step} apart");
+}
