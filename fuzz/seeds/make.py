@@ -112,7 +112,7 @@ def write_index_buffers():
     seed("isolated", 5, [], 3)
     seed("tetrahedron", 4, TETRAHEDRON, 24)
     seed("torus", 63, grid(7, 9), 9)
-    seed("small_torus", 12, grid(3, 4)[:12], 1)
+    seed("small_torus", 9, grid(3, 3)[:10], 1)
     seed("moebius", 5, [(i, (i + 1) % 5, (i + 2) % 5) for i in range(5)], 7)
     seed("projective_plane", 6, [(0, 1, 2), (0, 2, 3), (0, 3, 4), (0, 4, 5), (0, 5, 1), (1, 2, 4), (2, 3, 5), (3, 4, 1), (4, 5, 2), (5, 1, 3)])
     seed("fins", 6, [(0, 1, 2), (1, 0, 3), (0, 1, 4), (1, 0, 5)], 2)

@@ -15,10 +15,16 @@ struct List {
 }
 
 /// Faces beyond these are ignored, so that a run takes milliseconds.
-const MOST_FACES: usize = 256;
+const MOST_FACES: usize = 96;
 
-/// Up to here answers are compared with those of searches, which take the square of the faces or more.
-const SEARCHED: usize = 12;
+/// Up to so many vertices and faces, answers are compared with those of searches, which take the square or more.
+const SEARCHED: usize = 10;
+
+impl List {
+    fn is_searched(&self) -> bool {
+        self.vertices.max(self.faces.len()) <= SEARCHED
+    }
+}
 
 /// One byte for the number of vertices, one for choices, and one for each corner.
 ///

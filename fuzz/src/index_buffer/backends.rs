@@ -1,5 +1,5 @@
 //! Every backend: it accepts what it holds and names what it does not, obeys the laws, and serves every algorithm.
-use super::{List, SEARCHED, algorithms, naive};
+use super::{List, algorithms, naive};
 use onering::conformance::{self as laws, Case, Flaw};
 use onering::pairing::pair;
 use onering::*;
@@ -16,7 +16,7 @@ pub(super) fn pairings(list: &List) {
 fn decided<M: FromFaces>(list: &List, holds: &[&str], defects: &Defects) -> Option<M> {
     let built = M::from_faces(list.vertices, &list.faces);
     let error = built.as_ref().err();
-    if list.faces.len() <= SEARCHED {
+    if list.is_searched() {
         let expected = naive::error(list.vertices, &list.faces, &Flaw::named(holds));
         assert_eq!(error, expected.as_ref());
     }
@@ -28,8 +28,7 @@ fn decided<M: FromFaces>(list: &List, holds: &[&str], defects: &Defects) -> Opti
 
 /// The list as a case of the conformance suite, where it is small.
 fn case(list: &List) -> Option<Case> {
-    let is_small = list.faces.len() <= SEARCHED;
-    is_small.then(|| Case::counted("fuzzed", list.vertices, list.faces.clone()))
+    list.is_searched().then(|| Case::counted("fuzzed", list.vertices, list.faces.clone()))
 }
 
 macro_rules! every {

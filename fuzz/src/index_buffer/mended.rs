@@ -13,6 +13,9 @@ pub(super) fn mended(list: &List, before: &Defects) {
     assert_eq!(repaired.dropped.degenerate, before.lists.degenerate_faces);
     assert_eq!(repaired.dropped.duplicate, before.lists.duplicate_faces);
     assert_eq!(repaired.is_unchanged(), before.is_clean() && before.duplicate_faces == 0);
+    if repaired.is_unchanged() {
+        return;
+    }
     let mended = List { vertices: repaired.vertex_count, faces: repaired.faces };
     backends::every(&mended, &Defects::of(mended.vertices, &mended.faces));
 }
