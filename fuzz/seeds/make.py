@@ -88,7 +88,7 @@ def write_gzip():
     write("gzip/cube.obj.gz", data)
     write("gzip/stored.obj.gz", gzip.compress(text, compresslevel=0, mtime=0))
     write("gzip/two_members.obj.gz", data + gzip.compress(b"f 1 2 3\n", mtime=0))
-    write("gzip/box.stl.gz", gzip.compress((HERE / "stl/binary.stl").read_bytes(), mtime=0))
+    write("gzip/indexed.glb.gz", gzip.compress((HERE / "glb/indexed.glb").read_bytes(), mtime=0))
     write("gzip/with_name.obj.gz", data[:3] + b"\x08" + data[4:10] + b"cube.obj\0" + data[10:])
     write("gzip/bad-checksum.gz", data[:-8] + bytes(4) + data[-4:])
     write("gzip/bad-length.gz", data[:-1] + b"\x7f")

@@ -22,10 +22,11 @@ pub use reads::{reads, reads_any};
 pub type Target = fn(&[u8]);
 
 /// Every target by its name.
-pub const TARGETS: [(&str, Target); 4] = [
+pub const TARGETS: [(&str, Target); 5] = [
     ("obj", |bytes| reads(bytes, Format::Obj)),
     ("gltf", |bytes| reads(bytes, Format::Gltf)),
     ("glb", |bytes| reads(bytes, Format::Glb)),
+    ("gzip", reads_any),
     ("index_buffer", index_buffer),
 ];
 

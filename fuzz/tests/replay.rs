@@ -2,6 +2,7 @@
 use onering_fuzz::{TARGETS, Target, format_of};
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// The files of a target below `seeds` or `corpus`.
@@ -18,7 +19,11 @@ fn replay(files: &[PathBuf], target: Target) {
     for path in files {
         // Shown where it fails.
         println!("{}", path.display());
-        target(&fs::read(path).expect("a readable file"));
+        match fs::read(path) {
+            Ok(bytes) => target(&bytes),
+            // A fuzzer at work replaces files of the corpus by smaller ones.
+            Err(error) => assert_eq!(error.kind(), ErrorKind::NotFound, "{error}"),
+        }
     }
 }
 
@@ -39,11 +44,15 @@ fn the_corpus_passes() {
 /// A seed that is refused by mistake would teach the fuzzer nothing.
 #[test]
 fn seeds_are_read_or_refused_as_named() {
-    for (target, format) in TARGETS.iter().filter_map(|&(name, _)| Some((name, format_of(name)?))) {
+    for (target, _) in TARGETS.iter().filter(|(target, _)| *target != "index_buffer") {
         for path in files("seeds", target) {
             let name = path.file_name().expect("a file").to_string_lossy();
             let bytes = fs::read(&path).expect("a readable file");
-            let read = onering_io::read_as(&bytes, format).map(|mesh| mesh.faces.len());
+            let read = match format_of(target) {
+                Some(format) => onering_io::read_as(&bytes, format),
+                None => onering_io::read(&bytes),
+            };
+            let read = read.map(|mesh| mesh.faces.len());
             if !name.starts_with("found-") {
                 assert_eq!(read.is_err(), name.starts_with("bad-"), "{target}/{name}: {read:?}");
             }
