@@ -134,6 +134,28 @@ pub enum Reason {
         /// The word, or its beginning.
         word: String,
     },
+    /// A word or a number that cannot stand where it does.
+    #[error("`{word}` is not {expected}")]
+    BadWord {
+        /// The word, or its beginning.
+        word: String,
+        /// What should stand there.
+        expected: &'static str,
+    },
+    /// A declaration in a header contradicts another one, or is missing.
+    #[error("`{name}` {problem}")]
+    Declaration {
+        /// What is declared, or its beginning.
+        name: String,
+        /// What is wrong with it.
+        problem: &'static str,
+    },
+    /// The file ends before all is there that it declares.
+    #[error("the file ends before {item} does")]
+    Ends {
+        /// What was read when it ended.
+        item: Item,
+    },
     /// A vertex with fewer than three coordinates.
     #[error("a vertex needs 3 coordinates, but has {found}")]
     TooFewCoordinates {

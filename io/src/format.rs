@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use crate::load::Request;
-use crate::{Error, MeshRef, Triangles, gltf, obj};
+use crate::{Error, MeshRef, Triangles, gltf, obj, ply};
 
 /// The file formats that this crate knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -18,6 +18,8 @@ pub enum Format {
     Gltf,
     /// glTF 2.0 in one binary file.
     Glb,
+    /// Stanford PLY: a text header, then text or binary.
+    Ply,
 }
 
 /// How a mesh is written in a format. The mesh has been checked.
@@ -35,13 +37,21 @@ struct Row {
 }
 
 /// Every format. Those with a mark of their own at the start come first, those that are guessed last.
-const ROWS: [Row; 3] = [
+const ROWS: [Row; 4] = [
     Row {
         format: Format::Glb,
         name: "GLB",
         extensions: &["glb"],
         begins: |bytes| bytes.starts_with(gltf::MAGIC),
         read: gltf::read_request,
+        write: None,
+    },
+    Row {
+        format: Format::Ply,
+        name: "PLY",
+        extensions: &["ply"],
+        begins: ply::begins_with_mark,
+        read: |bytes, _| ply::read(bytes),
         write: None,
     },
     Row {

@@ -9,6 +9,7 @@
 //! |---|---|---|
 //! | Wavefront OBJ | `.obj` | [`obj`] |
 //! | glTF 2.0 | `.gltf`, `.glb` | [`gltf`] |
+//! | PLY | `.ply` | [`ply`] |
 //!
 //! With the feature `tobj`, `obj_attributes` reads the texture coordinates, normals and materials of an OBJ
 //! file, corner by corner of the same faces.
@@ -44,6 +45,7 @@ pub mod obj;
 #[cfg(feature = "tobj")]
 pub mod obj_attributes;
 mod place;
+pub mod ply;
 mod polygons;
 mod replacement;
 mod save;

@@ -167,7 +167,7 @@ impl<'a> Reader<'a> {
     #[cold]
     fn other(&mut self, keyword: &[u8], line: Place) {
         if let Some(element) = element(keyword) {
-            skip(&mut self.notes, Skipped::Elements(element), 1, line);
+            skip(&mut self.notes, Skipped::Elements(element.into()), 1, line);
         } else if !is_other(keyword) {
             skip(&mut self.notes, Skipped::UnknownStatements, 1, line);
         }

@@ -12,6 +12,13 @@ pub enum Place {
     Line(usize),
     /// A byte of a binary file.
     Byte(usize),
+    /// A byte of a binary file, in this part of it.
+    ByteIn {
+        /// The part.
+        item: Item,
+        /// The byte, from the start of the file.
+        byte: usize,
+    },
     /// A face of a mesh that is to be written.
     Face(usize),
     /// A buffer of a glTF document.
@@ -31,6 +38,7 @@ impl fmt::Display for Place {
             Self::File => write!(f, "the whole file"),
             Self::Line(line) => write!(f, "line {line}"),
             Self::Byte(byte) => write!(f, "byte {byte}"),
+            Self::ByteIn { item, byte } => write!(f, "{item} at byte {byte}"),
             Self::Face(face) => write!(f, "face {face}"),
             Self::Buffer(buffer) => write!(f, "buffer {buffer}"),
             Self::Primitive { mesh, primitive } => write!(f, "mesh {mesh} primitive {primitive}"),
@@ -38,7 +46,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// A part of a binary file or of a glTF document.
+/// A part of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Item {
@@ -56,6 +64,19 @@ pub enum Item {
     Accessor(usize),
     /// The sparse part of a glTF accessor.
     Sparse(usize),
+    /// A vertex.
+    Vertex(usize),
+    /// A face, as the file counts them.
+    Face(usize),
+    /// A strip of triangles.
+    Strip(usize),
+    /// One of the other elements that a PLY file declares.
+    Row {
+        /// Index of the declaration in the header.
+        element: usize,
+        /// Which one of those that it declares.
+        row: usize,
+    },
 }
 
 impl fmt::Display for Item {
@@ -68,6 +89,10 @@ impl fmt::Display for Item {
             Self::BufferView(i) => write!(f, "bufferView {i}"),
             Self::Accessor(i) => write!(f, "accessor {i}"),
             Self::Sparse(i) => write!(f, "sparse accessor {i}"),
+            Self::Vertex(i) => write!(f, "vertex {i}"),
+            Self::Face(i) => write!(f, "face {i}"),
+            Self::Strip(i) => write!(f, "strip {i}"),
+            Self::Row { element, row } => write!(f, "element {element} row {row}"),
         }
     }
 }

@@ -71,6 +71,28 @@ impl Polygons {
         self.close(Open { start, first: corners[0], previous: corners[2], size: 3 })
     }
 
+    /// Room for `more` faces.
+    pub(crate) fn reserve(&mut self, more: usize) -> Result<(), Error> {
+        reserve(&mut self.faces, more)
+    }
+
+    /// As many polygons that were triangles from the start.
+    #[inline(always)]
+    pub(crate) fn triangles(
+        &mut self,
+        triangles: impl ExactSizeIterator<Item = [u32; 3]>,
+    ) -> Result<(), Error> {
+        let (start, count) = (self.faces.len(), triangles.len());
+        if let Some(starts) = &mut self.starts {
+            reserve(starts, count)?;
+            starts.extend((start..start + count).map(|face| face as u32));
+        }
+        reserve(&mut self.faces, count)?;
+        self.faces.extend(triangles);
+        self.small[3] += count;
+        Ok(())
+    }
+
     #[cold]
     fn start_all_so_far(&mut self, start: usize) -> Result<(), Error> {
         let mut starts = Vec::new();

@@ -1,5 +1,6 @@
 //! What a mesh file gives: positions, faces, and notes on what it also held.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
@@ -89,9 +90,10 @@ pub struct Note {
 pub enum Skipped {
     /// Faces with fewer than three corners.
     ShortFaces,
-    /// OBJ elements that are no faces: points, lines, curves, surfaces. Holds the keyword.
-    Elements(&'static str),
-    /// OBJ lines whose first word is no OBJ keyword.
+    /// Elements that are neither vertices nor faces, such as lines and curves. Holds the keyword of the format, or
+    /// the name that the file gives them.
+    Elements(Cow<'static, str>),
+    /// Lines whose first word is no keyword of the format.
     UnknownStatements,
     /// glTF primitives that are no triangles: holds the mode (0 points, 1 to 3 lines).
     PrimitiveMode(u32),
@@ -99,8 +101,10 @@ pub enum Skipped {
     UnknownModes,
     /// glTF primitives without positions.
     NoPositions,
-    /// Corners at the end of a glTF primitive, too few to make a triangle.
+    /// Corners at the end of a glTF primitive, or between the ends of a PLY strip, too few to make a triangle.
     LooseCorners,
+    /// Bytes behind all that the file declares.
+    TrailingBytes,
 }
 
 impl fmt::Display for Note {
@@ -118,6 +122,7 @@ impl fmt::Display for Note {
             Skipped::UnknownModes => write!(f, "{count} primitive{s} of unknown mode")?,
             Skipped::NoPositions => write!(f, "{count} primitive{s} without positions")?,
             Skipped::LooseCorners => write!(f, "{count} corner{s} that make no triangle")?,
+            Skipped::TrailingBytes => write!(f, "{count} byte{s} behind the last element")?,
         }
         write!(f, " skipped, the first at {first}")
     }

@@ -1,14 +1,14 @@
-//! Broken and hostile OBJ and glTF files end as their manifest asks.
+//! Broken and hostile files of every format that is read end as their manifest asks.
 
 mod common;
 
-use onering_io::{Error, load};
+use onering_io::{Error, Format, load};
 use serde_json::Value;
 
 #[test]
 fn broken_files_end_as_their_manifest_asks() {
     let Some((folder, entries)) = common::malformed() else { return };
-    let read = entries.iter().filter(|entry| ["obj", "gltf"].contains(&entry["format"].as_str().unwrap()));
+    let read = entries.iter().filter(|entry| Format::of_name(entry["format"].as_str().unwrap()).is_some());
     for entry in read {
         let (name, path) = common::path_of(&folder, entry);
         let result = load(&path);
@@ -49,6 +49,15 @@ fn errors_name_the_line_or_the_element() {
         ("gltf/missing_bin.gltf", "BoxTextured0.bin: "),
         ("gltf/uri_path_traversal.gltf", "etc/passwd` is not opened: it climbs out of the folder"),
         ("gltf/khr_invalid_version.glb", "version \"0\" is not supported"),
+        ("ply/assimp_crash.ply", "` is not a type of numbers"),
+        ("ply/bad_format_word.ply", ":2: `binary_middle_endian` is not `ascii`, `binary_little_endian` or"),
+        ("ply/empty.ply", ":1: this is not a PLY file"),
+        ("ply/huge_vertex_count.ply", "byte 214: vertex 3 needs 4 bytes, but there are 0"),
+        ("ply/index_out_of_range_le.ply", "face 0 at byte 214: face names vertex 3, but there are 3"),
+        ("ply/list_count_beyond_end.ply", "byte 206: face 0 needs 1020 bytes, but there are 12"),
+        ("ply/lox_no_vertex_props.ply", ":3: `x` is missing: vertices need x, y and z"),
+        ("ply/negative_count.ply", ":3: `-3` is not a number of elements"),
+        ("ply/speleo_short_ascii.ply", ":11: the file ends before vertex 2 does"),
     ] {
         let text = load(folder.join(name)).unwrap_err().to_string();
         assert!(text.contains(expected), "{name}: {text}");

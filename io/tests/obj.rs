@@ -101,8 +101,8 @@ fn what_is_left_out_is_noted() {
         notes,
         [
             (Skipped::ShortFaces, 2, Place::Line(5)),
-            (Skipped::Elements("p"), 1, Place::Line(6)),
-            (Skipped::Elements("l"), 2, Place::Line(7)),
+            (Skipped::Elements("p".into()), 1, Place::Line(6)),
+            (Skipped::Elements("l".into()), 2, Place::Line(7)),
             (Skipped::UnknownStatements, 1, Place::Line(8)),
         ]
     );
