@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use crate::load::Request;
-use crate::{Error, MeshRef, Triangles, gltf, obj};
+use crate::{Error, MeshRef, Triangles, gltf, obj, vrml, x3d};
 
 /// The file formats that this crate knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -18,6 +18,10 @@ pub enum Format {
     Gltf,
     /// glTF 2.0 in one binary file.
     Glb,
+    /// X3D as XML.
+    X3d,
+    /// VRML97, and X3D in the classic encoding: text.
+    Vrml,
 }
 
 /// How a mesh is written in a format. The mesh has been checked.
@@ -35,7 +39,7 @@ struct Row {
 }
 
 /// Every format. Those with a mark of their own at the start come first, those that are guessed last.
-const ROWS: [Row; 3] = [
+const ROWS: [Row; 5] = [
     Row {
         format: Format::Glb,
         name: "GLB",
@@ -50,6 +54,23 @@ const ROWS: [Row; 3] = [
         extensions: &["gltf"],
         begins: gltf::looks_like_json,
         read: gltf::read_request,
+        write: None,
+    },
+    Row {
+        format: Format::X3d,
+        name: "X3D",
+        extensions: &["x3d"],
+        begins: x3d::looks_like_xml,
+        read: |bytes, _| x3d::read(bytes),
+        write: None,
+    },
+    // Before OBJ, whose comments begin with `#` as well.
+    Row {
+        format: Format::Vrml,
+        name: "VRML",
+        extensions: &["wrl", "vrml", "x3dv"],
+        begins: vrml::begins_with_header,
+        read: |bytes, _| vrml::read(bytes),
         write: None,
     },
     Row {

@@ -89,7 +89,8 @@ pub struct Note {
 pub enum Skipped {
     /// Faces with fewer than three corners.
     ShortFaces,
-    /// OBJ elements that are no faces: points, lines, curves, surfaces. Holds the keyword.
+    /// OBJ elements that are no faces: points, lines, curves, surfaces. Holds the keyword. In X3D and VRML, geometry
+    /// of a kind that is not read, such as `Box`. Holds the name of the node.
     Elements(&'static str),
     /// OBJ lines whose first word is no OBJ keyword.
     UnknownStatements,
@@ -97,10 +98,12 @@ pub enum Skipped {
     PrimitiveMode(u32),
     /// glTF primitives of a mode that glTF 2.0 does not have.
     UnknownModes,
-    /// glTF primitives without positions.
+    /// glTF primitives, or geometry nodes of X3D and VRML, without positions.
     NoPositions,
-    /// Corners at the end of a glTF primitive, too few to make a triangle.
+    /// Corners at the end of a glTF primitive, or of a list, strip or fan of X3D and VRML, too few to make a triangle.
     LooseCorners,
+    /// `ccw FALSE` of X3D and VRML: the corners of faces stay in the order that the file lists them in.
+    Clockwise,
 }
 
 impl fmt::Display for Note {
@@ -118,6 +121,7 @@ impl fmt::Display for Note {
             Skipped::UnknownModes => write!(f, "{count} primitive{s} of unknown mode")?,
             Skipped::NoPositions => write!(f, "{count} primitive{s} without positions")?,
             Skipped::LooseCorners => write!(f, "{count} corner{s} that make no triangle")?,
+            Skipped::Clockwise => write!(f, "{count} field{s} `ccw FALSE` (winding is as listed)")?,
         }
         write!(f, " skipped, the first at {first}")
     }
