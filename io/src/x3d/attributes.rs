@@ -126,7 +126,7 @@ impl<'a> Value<'a> {
 /// What is wrong with the reference that a text begins with.
 pub(super) fn unknown_reference(text: &str, error: &EscapeError) -> Reason {
     let end = text.find(';').map_or(text.len(), |end| end + 1);
-    let reference = quote(text[..end].as_bytes());
+    let reference = quote(&text.as_bytes()[..end]);
     let problem = match error {
         EscapeError::UnterminatedEntity(_) => "has no `;`",
         EscapeError::UnrecognizedEntity(..) => "is no entity of XML's own",
