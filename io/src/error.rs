@@ -212,6 +212,24 @@ pub enum Reason {
         /// What the JSON reader said, with line and column.
         message: String,
     },
+    /// The XML is none, or is not well-formed.
+    #[error("bad XML: {message}")]
+    Xml {
+        /// What is wrong with it.
+        message: String,
+    },
+    /// A bracket or a quotation mark without its counterpart.
+    #[error("`{mark}` has no counterpart")]
+    Unbalanced {
+        /// The mark that stands alone.
+        mark: char,
+    },
+    /// A `USE` in X3D or VRML of a name that no `Coordinate` has, or in VRML none before it.
+    #[error("USE of `{name}`, but no Coordinate of that name is defined")]
+    UnknownName {
+        /// The name, or its beginning.
+        name: String,
+    },
     /// A reference to another file that is not followed.
     #[error("`{uri}` is not opened: {problem}")]
     Uri {

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use crate::load::Request;
-use crate::{Error, MeshRef, Triangles, gltf, obj, ply};
+use crate::{Error, MeshRef, Triangles, gltf, obj, ply, vrml, x3d};
 
 /// The file formats that this crate knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -20,6 +20,10 @@ pub enum Format {
     Glb,
     /// Stanford PLY: a text header, then text or binary.
     Ply,
+    /// X3D as XML.
+    X3d,
+    /// VRML97, and X3D in the classic encoding: text.
+    Vrml,
 }
 
 /// How a mesh is written in a format. The mesh has been checked.
@@ -37,7 +41,7 @@ struct Row {
 }
 
 /// Every format. Those with a mark of their own at the start come first, those that are guessed last.
-const ROWS: [Row; 4] = [
+const ROWS: &[Row] = &[
     Row {
         format: Format::Glb,
         name: "GLB",
@@ -60,6 +64,23 @@ const ROWS: [Row; 4] = [
         extensions: &["gltf"],
         begins: gltf::looks_like_json,
         read: gltf::read_request,
+        write: None,
+    },
+    Row {
+        format: Format::X3d,
+        name: "X3D",
+        extensions: &["x3d"],
+        begins: x3d::looks_like_xml,
+        read: |bytes, _| x3d::read(bytes),
+        write: None,
+    },
+    // Before OBJ, whose comments begin with `#` as well.
+    Row {
+        format: Format::Vrml,
+        name: "VRML",
+        extensions: &["wrl", "vrml", "x3dv"],
+        begins: vrml::begins_with_header,
+        read: |bytes, _| vrml::read(bytes),
         write: None,
     },
     Row {
@@ -155,7 +176,7 @@ mod tests {
 
     #[test]
     fn every_extension_names_its_format() {
-        for row in &ROWS {
+        for row in ROWS {
             assert_eq!(ROWS.iter().filter(|other| other.format == row.format).count(), 1);
             for extension in row.extensions {
                 let upper = format!("a.{}", extension.to_uppercase());

@@ -10,6 +10,8 @@
 //! | Wavefront OBJ | `.obj` | [`obj`] |
 //! | glTF 2.0 | `.gltf`, `.glb` | [`gltf`] |
 //! | PLY | `.ply` | [`ply`] |
+//! | X3D, as XML | `.x3d` | [`x3d`] |
+//! | VRML97, and X3D in its classic encoding | `.wrl`, `.vrml`, `.x3dv` | [`vrml`] |
 //!
 //! With the feature `tobj`, `obj_attributes` reads the texture coordinates, normals and materials of an OBJ
 //! file, corner by corner of the same faces.
@@ -47,11 +49,15 @@ pub mod obj_attributes;
 mod place;
 pub mod ply;
 mod polygons;
+mod proportion;
 mod replacement;
 mod save;
+mod scene;
 mod text;
 mod triangles;
+pub mod vrml;
 mod words;
+pub mod x3d;
 
 pub use attribute::{Attribute, Values};
 pub use error::{Error, Reason};

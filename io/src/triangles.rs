@@ -90,8 +90,8 @@ pub struct Note {
 pub enum Skipped {
     /// Faces with fewer than three corners.
     ShortFaces,
-    /// Elements that are neither vertices nor faces, such as lines and curves. Holds the keyword of the format, or
-    /// the name that the file gives them.
+    /// Elements that are neither vertices nor faces, such as lines, curves, and nodes such as `Box`. Holds the keyword
+    /// of the format, or the name that the file gives them.
     Elements(Cow<'static, str>),
     /// Lines whose first word is no keyword of the format.
     UnknownStatements,
@@ -99,12 +99,14 @@ pub enum Skipped {
     PrimitiveMode(u32),
     /// glTF primitives of a mode that glTF 2.0 does not have.
     UnknownModes,
-    /// glTF primitives without positions.
+    /// glTF primitives, or geometry nodes of X3D and VRML, without positions.
     NoPositions,
-    /// Corners at the end of a glTF primitive, or between the ends of a PLY strip, too few to make a triangle.
-    LooseCorners,
     /// Bytes behind all that the file declares.
     TrailingBytes,
+    /// Corners at the end of a glTF primitive, or of a list, strip or fan, too few to make a triangle.
+    LooseCorners,
+    /// `ccw FALSE` of X3D and VRML: the corners of faces stay in the order that the file lists them in.
+    Clockwise,
 }
 
 impl fmt::Display for Note {
@@ -123,6 +125,7 @@ impl fmt::Display for Note {
             Skipped::NoPositions => write!(f, "{count} primitive{s} without positions")?,
             Skipped::LooseCorners => write!(f, "{count} corner{s} that make no triangle")?,
             Skipped::TrailingBytes => write!(f, "{count} byte{s} behind the last element")?,
+            Skipped::Clockwise => write!(f, "{count} field{s} `ccw FALSE` (winding is as listed)")?,
         }
         write!(f, " skipped, the first at {first}")
     }

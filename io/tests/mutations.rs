@@ -117,3 +117,22 @@ fn broken_gltf() {
     let uri = format!(r#","uri":"data:;base64,{}""#, "A".repeat(102));
     survive("glTF", document(&members(&uri)).as_bytes(), Format::Gltf);
 }
+
+#[test]
+fn broken_x3d() {
+    let text = "<?xml version='1.0'?><!DOCTYPE X3D><X3D><Scene><!-- c --><Group DEF='g'>\n<IndexedFaceSet ccw='false' \
+                coordIndex='0 1 2 -1, 2 1 0 1'><Coordinate DEF=\"a\" point='0 0 0&#10;1 .5 0 -1e1 1 0'/></IndexedFaceSet></Group>\
+                <IndexedTriangleStripSet index='0 1 2 0 -1 1'><Coordinate USE='a'/></IndexedTriangleStripSet><Box/>&lt;\
+                <ProtoDeclare><TriangleSet/></ProtoDeclare><IndexedTriangleSet index='0 1 2'><Coordinate USE='a'/>\
+                </IndexedTriangleSet></Scene></X3D>";
+    survive("X3D", text.as_bytes(), Format::X3d);
+}
+
+#[test]
+fn broken_vrml() {
+    let text = "#VRML V2.0 utf8\nPROTO p [ field SFNode a NULL ] { Box { } }\nWorldInfo { title \"a\\\"}\" }\nShape { geometry\n\
+                IndexedFaceSet { ccw FALSE coord DEF a Coordinate { point [ 0 0 0, 1 .5 0 # c\n -1e1 1 0 ] }\n\
+                coordIndex [ 0 1 2 -1, 2 1 0 1 ] } }\nGroup { children [ IndexedTriangleFanSet { coord USE a index [ 0 1 2 0\n\
+                -1 1 ] } DEF b TriangleSet { coord USE a } USE b ] }\nROUTE a.b TO c.d\n";
+    survive("VRML", text.as_bytes(), Format::Vrml);
+}

@@ -14,15 +14,7 @@ use super::component::{is_unsigned, unsigned, vector};
 use super::document::Document;
 use super::origin::BufferKind;
 use crate::memory::reserve;
-use crate::{Error, Format, Item, Place, Reason};
-
-/// Vertices and faces that a byte of input may give. Primitives may share an accessor, so a document may
-/// stand for a mesh larger than itself: k primitives, one for each material, on one list of V vertices and 2 V
-/// faces are k V + 2 V elements out of 24 V bytes, or 44 V with normals and texture coordinates. This leaves
-/// room for about a hundred materials; a hostile document asks for thousands.
-const ELEMENTS_PER_BYTE: u64 = 4;
-/// Vertices and faces that are allowed in any case.
-const ELEMENTS_ALWAYS: u64 = 1 << 16;
+use crate::{Error, Format, Item, Place, Reason, proportion};
 
 /// A document with its buffers.
 pub(super) struct Source<'a> {
@@ -59,10 +51,7 @@ impl<'a> Source<'a> {
     /// Refuses a mesh out of all proportion to the document and the files that were read for it so far.
     pub(super) fn check_proportion(&self, elements: u64) -> Result<(), Error> {
         let bytes = self.input_bytes.saturating_add(self.buffers.file_bytes());
-        if elements <= ELEMENTS_ALWAYS.max(bytes.saturating_mul(ELEMENTS_PER_BYTE)) {
-            return Ok(());
-        }
-        Err(self.malformed(Place::File, Reason::OutOfProportion { elements, bytes }))
+        proportion::check(elements, bytes).map_err(|reason| self.malformed(Place::File, reason))
     }
 
     /// How many elements an accessor says that it has.
