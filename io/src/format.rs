@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use crate::load::Request;
-use crate::{Error, MeshRef, Triangles, gltf, obj};
+use crate::{Error, MeshRef, Triangles, gltf, obj, off, stl};
 
 /// The file formats that this crate knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -18,6 +18,10 @@ pub enum Format {
     Gltf,
     /// glTF 2.0 in one binary file.
     Glb,
+    /// STL: triangles with corners of their own, binary or text.
+    Stl,
+    /// OFF: text.
+    Off,
 }
 
 /// How a mesh is written in a format. The mesh has been checked.
@@ -35,7 +39,7 @@ struct Row {
 }
 
 /// Every format. Those with a mark of their own at the start come first, those that are guessed last.
-const ROWS: [Row; 3] = [
+const ROWS: [Row; 5] = [
     Row {
         format: Format::Glb,
         name: "GLB",
@@ -44,6 +48,15 @@ const ROWS: [Row; 3] = [
         read: gltf::read_request,
         write: None,
     },
+    // A binary STL begins with anything, such as an OBJ keyword; that its length fits by chance is out of the question.
+    Row {
+        format: Format::Stl,
+        name: "STL",
+        extensions: &["stl"],
+        begins: stl::looks_like_stl,
+        read: |bytes, request| stl::read(bytes, &request.options),
+        write: Some(stl::write),
+    },
     Row {
         format: Format::Gltf,
         name: "glTF",
@@ -51,6 +64,14 @@ const ROWS: [Row; 3] = [
         begins: gltf::looks_like_json,
         read: gltf::read_request,
         write: None,
+    },
+    Row {
+        format: Format::Off,
+        name: "OFF",
+        extensions: &["off"],
+        begins: off::begins_with_keyword,
+        read: |bytes, _| off::read(bytes),
+        write: Some(off::write),
     },
     Row {
         format: Format::Obj,

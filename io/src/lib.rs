@@ -9,6 +9,8 @@
 //! |---|---|---|
 //! | Wavefront OBJ | `.obj` | [`obj`] |
 //! | glTF 2.0 | `.gltf`, `.glb` | [`gltf`] |
+//! | STL | `.stl` | [`stl`] |
+//! | OFF | `.off` | [`off`] |
 //!
 //! With the feature `tobj`, `obj_attributes` reads the texture coordinates, normals and materials of an OBJ
 //! file, corner by corner of the same faces.
@@ -22,7 +24,8 @@
 //! ```
 //!
 //! # What every reader keeps to
-//! - Vertices and faces come in the order of the file. No vertex is dropped or merged.
+//! - Vertices and faces come in the order of the file. No vertex is dropped or merged, but for the corners of
+//!   STL: see [`Options::weld_stl`].
 //! - A polygon `a b c d ...` becomes the fan `a b c`, `a c d`, ... from its first corner.
 //! - Coordinates are `f32`, each rounded once from what the file says. `inf` and `nan` are kept where a
 //!   file has them.
@@ -43,10 +46,12 @@ mod number;
 pub mod obj;
 #[cfg(feature = "tobj")]
 pub mod obj_attributes;
+pub mod off;
 mod place;
 mod polygons;
 mod replacement;
 mod save;
+pub mod stl;
 mod text;
 mod triangles;
 mod words;

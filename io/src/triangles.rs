@@ -91,8 +91,10 @@ pub enum Skipped {
     ShortFaces,
     /// OBJ elements that are no faces: points, lines, curves, surfaces. Holds the keyword.
     Elements(&'static str),
-    /// OBJ lines whose first word is no OBJ keyword.
+    /// Lines of OBJ or ASCII STL whose first word is no keyword of the format.
     UnknownStatements,
+    /// Bytes behind the last triangle of a binary STL file.
+    TrailingBytes,
     /// glTF primitives that are no triangles: holds the mode (0 points, 1 to 3 lines).
     PrimitiveMode(u32),
     /// glTF primitives of a mode that glTF 2.0 does not have.
@@ -112,6 +114,7 @@ impl fmt::Display for Note {
             Skipped::ShortFaces => write!(f, "{count} face{s} with fewer than 3 corners")?,
             Skipped::Elements(keyword) => write!(f, "{count} element{s} of kind `{keyword}`")?,
             Skipped::UnknownStatements => write!(f, "{count} line{s} with an unknown keyword")?,
+            Skipped::TrailingBytes => write!(f, "{count} byte{s} behind the last triangle")?,
             Skipped::PrimitiveMode(mode) => {
                 write!(f, "{count} primitive{s} of mode {mode} ({})", mode_name(*mode))?
             }
