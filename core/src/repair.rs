@@ -20,7 +20,7 @@ mod weld;
 
 pub use error::RepairError;
 pub use report::{Dropped, Repaired};
-pub use weld::{Welded, weld};
+pub use weld::{Distinct, Welded, weld, weld_into};
 
 use crate::defects::MAX_FACES;
 use crate::defects::duplicates::Duplicates;
@@ -52,7 +52,7 @@ pub struct RepairOptions<'a> {
 /// Afterwards every edge has at most two faces, in opposite directions, every vertex at most one fan, and no two
 /// faces have the same vertices. No area is lost but that of the dropped faces. Repairing again changes nothing.
 ///
-/// Near-linear in the faces and vertices; welding sorts the positions.
+/// Near-linear in the faces and vertices, in the worst case of [`weld`] O(n log n).
 ///
 /// # Errors
 /// [`RepairError`] where numbers or memory do not suffice, or positions do not match the vertices; no list of faces
@@ -64,7 +64,7 @@ pub fn repair(
 ) -> Result<Repaired, RepairError> {
     check_counts(vertex_count, faces.len(), 3 * MAX_FACES)?;
     check_positions(vertex_count, options)?;
-    let welded = options.weld.map(weld);
+    let welded = options.weld.map(weld).transpose()?;
     let source = welded.as_ref().map(|welded| &welded.source[..]);
     let count = source.map_or(vertex_count, <[u32]>::len);
     let triangles = Triangles::sift(count, &welded_faces(faces, welded.as_ref()));

@@ -162,6 +162,34 @@ pub enum Reason {
         /// How many it has.
         found: usize,
     },
+    /// A word that should be a count is none.
+    #[error("`{word}` is not a count")]
+    BadCount {
+        /// The word, or its beginning.
+        word: String,
+    },
+    /// Fewer elements than the file says it has.
+    #[error("{declared} {what} are declared, but only {present} are there")]
+    Missing {
+        /// What there is too little of, in the plural.
+        what: &'static str,
+        /// How many the file says it has.
+        declared: u64,
+        /// How many there are.
+        present: usize,
+    },
+    /// A loop of an ASCII STL file that is no triangle.
+    #[error("a loop needs 3 vertices, but has {found}")]
+    LoopSize {
+        /// How many it has.
+        found: usize,
+    },
+    /// The file ends where something is not complete.
+    #[error("the file ends inside {what}")]
+    EndsInside {
+        /// What is not complete.
+        what: &'static str,
+    },
     /// Nothing in the file looks like its format.
     #[error("this is not {expected}")]
     NotThisFormat {

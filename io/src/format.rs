@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use crate::load::Request;
-use crate::{Error, MeshRef, Triangles, gltf, obj, ply, vrml, x3d};
+use crate::{Error, MeshRef, Triangles, gltf, obj, off, ply, stl, vrml, x3d};
 
 /// The file formats that this crate knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -24,6 +24,10 @@ pub enum Format {
     X3d,
     /// VRML97, and X3D in the classic encoding: text.
     Vrml,
+    /// STL: triangles with corners of their own, binary or text.
+    Stl,
+    /// OFF: text.
+    Off,
 }
 
 /// How a mesh is written in a format. The mesh has been checked.
@@ -49,6 +53,15 @@ const ROWS: &[Row] = &[
         begins: |bytes| bytes.starts_with(gltf::MAGIC),
         read: gltf::read_request,
         write: None,
+    },
+    // A binary STL begins with anything, such as an OBJ keyword; that its length fits by chance is out of the question.
+    Row {
+        format: Format::Stl,
+        name: "STL",
+        extensions: &["stl"],
+        begins: stl::looks_like_stl,
+        read: |bytes, request| stl::read(bytes, &request.options),
+        write: Some(stl::write),
     },
     Row {
         format: Format::Ply,
@@ -82,6 +95,14 @@ const ROWS: &[Row] = &[
         begins: vrml::begins_with_header,
         read: |bytes, _| vrml::read(bytes),
         write: None,
+    },
+    Row {
+        format: Format::Off,
+        name: "OFF",
+        extensions: &["off"],
+        begins: off::begins_with_keyword,
+        read: |bytes, _| off::read(bytes),
+        write: Some(off::write),
     },
     Row {
         format: Format::Obj,

@@ -12,6 +12,8 @@
 //! | PLY | `.ply` | [`ply`] |
 //! | X3D, as XML | `.x3d` | [`x3d`] |
 //! | VRML97, and X3D in its classic encoding | `.wrl`, `.vrml`, `.x3dv` | [`vrml`] |
+//! | STL | `.stl` | [`stl`] |
+//! | OFF | `.off` | [`off`] |
 //!
 //! With the feature `tobj`, `obj_attributes` reads the texture coordinates, normals and materials of an OBJ
 //! file, corner by corner of the same faces.
@@ -25,7 +27,8 @@
 //! ```
 //!
 //! # What every reader keeps to
-//! - Vertices and faces come in the order of the file. No vertex is dropped or merged.
+//! - Vertices and faces come in the order of the file. No vertex is dropped or merged, but for the corners of
+//!   STL: see [`Options::weld_stl`].
 //! - A polygon `a b c d ...` becomes the fan `a b c`, `a c d`, ... from its first corner.
 //! - Coordinates are `f32`, each rounded once from what the file says. `inf` and `nan` are kept where a
 //!   file has them.
@@ -46,6 +49,7 @@ mod number;
 pub mod obj;
 #[cfg(feature = "tobj")]
 pub mod obj_attributes;
+pub mod off;
 mod place;
 pub mod ply;
 mod polygons;
@@ -53,6 +57,7 @@ mod proportion;
 mod replacement;
 mod save;
 mod scene;
+pub mod stl;
 mod text;
 mod triangles;
 pub mod vrml;

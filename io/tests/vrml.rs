@@ -114,8 +114,8 @@ fn what_is_left_out_is_noted() {
     );
     let notes: Vec<_> = mesh.notes.iter().map(|note| (note.what.clone(), note.count, note.first)).collect();
     let expected = [
-        (Skipped::Elements("Box"), 2, Place::Line(2)),
-        (Skipped::Elements("Text"), 1, Place::Line(3)),
+        (Skipped::Elements("Box".into()), 2, Place::Line(2)),
+        (Skipped::Elements("Text".into()), 1, Place::Line(3)),
         (Skipped::NoPositions, 2, Place::Line(4)),
         (Skipped::Clockwise, 1, Place::Line(5)),
     ];

@@ -65,7 +65,7 @@ impl Inspection {
     pub(crate) fn of(path: &Path) -> Result<Self, Error> {
         let bytes = onering_io::bytes_of(path)?;
         let mesh = onering_io::read_at(&bytes, path)?;
-        let mut inspection = Self::of_mesh(&mesh);
+        let mut inspection = Self::of_mesh(&mesh)?;
         inspection.file = super::name_of(path);
         inspection.bytes = bytes.len();
         inspection.sha256 = digest::of_bytes(&bytes);
@@ -75,7 +75,7 @@ impl Inspection {
         Ok(inspection)
     }
 
-    fn of_mesh(mesh: &Triangles) -> Self {
+    fn of_mesh(mesh: &Triangles) -> Result<Self, Error> {
         let Triangles { positions, faces, .. } = mesh;
         let geometry = geometry::Geometry::of(positions, faces);
         let defects = Defects::of(positions.len(), faces);
@@ -104,12 +104,12 @@ impl Inspection {
             degree_histogram: degrees(positions.len(), faces),
             verdict: defects.to_string(),
             topology: Topology::of(&defects, None),
-            welded: Welded::of(mesh),
+            welded: Welded::of(mesh)?,
             tri_sha256: digest::of_faces(faces),
             tri_canonical_sha256: digest::of_canonical(faces),
         };
         inspection.add_notes(mesh);
-        inspection
+        Ok(inspection)
     }
 
     fn add_notes(&mut self, mesh: &Triangles) {
@@ -144,14 +144,16 @@ impl Topology {
 }
 
 impl Welded {
-    fn of(mesh: &Triangles) -> Self {
-        let welded = weld(&mesh.positions);
+    fn of(mesh: &Triangles) -> Result<Self, Error> {
+        // No reader gives more vertices than can be numbered: what is left is memory.
+        let bytes = size_of_val(&mesh.positions[..]);
+        let welded = weld(&mesh.positions).map_err(|_| Error::OutOfMemory { path: None, bytes })?;
         let vertices = welded.source.len();
         if vertices == mesh.positions.len() {
-            return Self::Same("same as topology (no two vertices share a position)");
+            return Ok(Self::Same("same as topology (no two vertices share a position)"));
         }
         let faces: Vec<_> = mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();
-        Self::Other(Topology::of(&Defects::of(vertices, &faces), Some(vertices)))
+        Ok(Self::Other(Topology::of(&Defects::of(vertices, &faces), Some(vertices))))
     }
 }
 

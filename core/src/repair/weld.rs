@@ -1,6 +1,9 @@
 //! Welding: vertices at exactly equal positions become one.
 
-use alloc::vec;
+mod sorted;
+mod table;
+
+use crate::{BuildError, memory};
 use alloc::vec::Vec;
 
 /// Which vertices are one after welding.
@@ -12,72 +15,100 @@ pub struct Welded {
     pub source: Vec<u32>,
 }
 
+/// The vertices that are left after welding.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Distinct {
+    /// The first old vertex of each, rising.
+    pub source: Vec<u32>,
+    /// The position of that old vertex, to the last bit.
+    pub positions: Vec<[f32; 3]>,
+}
+
+impl Distinct {
+    /// The next vertex: its number.
+    #[inline]
+    fn push(&mut self, source: usize, position: [f32; 3]) -> Result<u32, BuildError> {
+        let v = self.source.len() as u32;
+        memory::push(&mut self.source, source as u32)?;
+        memory::push(&mut self.positions, position)?;
+        Ok(v)
+    }
+}
+
 /// Gives vertices with equal positions one number, in order of first appearance.
 ///
 /// Equality is that of `f32`: -0.0 equals +0.0, infinities equal themselves, and a NaN equals nothing, itself
-/// included, so that vertices of unknown place are never brought together. No tolerance. O(n log n) by sorting,
-/// which no choice of positions can slow down, as it could a hash table.
+/// included, so that vertices of unknown place are never brought together. No tolerance. Linear in the positions by
+/// way of a hash table; where they were chosen so that it would be slow, sorting takes over: O(n log n).
 ///
-/// # Panics
-/// If there are more than `u32::MAX` positions.
-pub fn weld(positions: &[[f32; 3]]) -> Welded {
-    let count = u32::try_from(positions.len()).expect("vertices are numbered by u32");
-    let mut order: Vec<(u128, u32)> = (0..count).map(|v| (key(positions[v as usize]), v)).collect();
-    order.sort_unstable();
-    let mut first = vec![0; positions.len()];
-    for group in order.chunk_by(|a, b| a.0 == b.0) {
-        let leader = group[0].1;
-        let nowhere = positions[leader as usize].iter().any(|x| x.is_nan());
-        for &(_, v) in group {
-            first[v as usize] = if nowhere { v } else { leader };
-        }
-    }
-    number(first)
+/// # Errors
+/// [`BuildError::OutOfMemory`], or [`BuildError::TooManyVertices`] for more than `u32::MAX` positions.
+pub fn weld(positions: &[[f32; 3]]) -> Result<Welded, BuildError> {
+    let mut target = memory::filled(positions.len(), 0)?;
+    let Distinct { source, .. } = weld_into(&mut target, |v| positions[v])?;
+    Ok(Welded { target, source })
 }
 
-/// Position as an integer: equal where the position is, NaN aside.
-fn key(position: [f32; 3]) -> u128 {
+/// [`weld`] for vertices that lie elsewhere, such as the corners of triangles in a file: vertex `v` of
+/// `target.len()` is at `position(v)`, and `target[v]` becomes its new number. Besides the result it takes 4 to 15
+/// bytes for each vertex, the more the fewer of them are equal.
+///
+/// # Errors
+/// As [`weld`].
+pub fn weld_into(target: &mut [u32], position: impl Fn(usize) -> [f32; 3]) -> Result<Distinct, BuildError> {
+    let (vertices, limit) = (target.len(), u32::MAX as usize);
+    if vertices > limit {
+        return Err(BuildError::TooManyVertices { vertices, limit });
+    }
+    match table::weld(target, &position)? {
+        Some(distinct) => Ok(distinct),
+        None => sorted::weld(target, &position),
+    }
+}
+
+/// Position as integers: equal where the position is, NaN aside.
+#[inline(always)]
+fn key(position: [f32; 3]) -> [u32; 3] {
     // -0.0 + 0.0 is +0.0; nothing else changes.
-    position.iter().fold(0, |key, x| key << 32 | u128::from((x + 0.0).to_bits()))
+    position.map(|x| (x + 0.0).to_bits())
 }
 
-/// From the first vertex of each one's group to consecutive numbers.
-fn number(mut first: Vec<u32>) -> Welded {
-    let mut source = Vec::new();
-    for v in 0..first.len() {
-        let leader = first[v] as usize;
-        first[v] = if leader == v {
-            source.push(v as u32);
-            source.len() as u32 - 1
-        } else {
-            // A group is led by its least vertex, which has its number already.
-            first[leader]
-        };
-    }
-    Welded { target: first, source }
+#[inline(always)]
+fn is_nowhere(position: [f32; 3]) -> bool {
+    position.iter().any(|x| x.is_nan())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use alloc::vec;
 
     #[test]
-    fn first_appearance_and_both_zeros() {
-        let welded = weld(&[[1.0, 2.0, 3.0], [0.0; 3], [-0.0, 0.0, -0.0], [1.0, 2.0, 3.0], [0.5; 3]]);
+    fn numbers_go_by_first_appearance_and_both_zeros() {
+        let welded =
+            weld(&[[1.0, 2.0, 3.0], [0.0; 3], [-0.0, 0.0, -0.0], [1.0, 2.0, 3.0], [0.5; 3]]).unwrap();
         assert_eq!((welded.target, welded.source), (vec![0, 1, 1, 0, 2], vec![0, 1, 4]));
     }
 
     #[test]
     fn nan_equals_nothing() {
         let (nan, inf) = (f32::NAN, f32::INFINITY);
-        let welded =
-            weld(&[[nan, 0.0, 0.0], [nan, 0.0, 0.0], [inf; 3], [inf; 3], [-inf; 3], [nan, 0.0, 0.0]]);
-        assert_eq!(welded.target, [0, 1, 2, 2, 3, 4]);
+        let positions = [[nan, 0.0, 0.0], [nan, 0.0, 0.0], [inf; 3], [inf; 3], [-inf; 3], [nan, 0.0, 0.0]];
+        assert_eq!(weld(&positions).unwrap().target, [0, 1, 2, 2, 3, 4]);
     }
 
     #[test]
     fn nothing_to_weld() {
-        assert_eq!(weld(&[]), Welded { target: vec![], source: vec![] });
-        assert_eq!(weld(&[[f32::NAN; 3]]).target, [0]);
+        assert_eq!(weld(&[]), Ok(Welded { target: vec![], source: vec![] }));
+        assert_eq!(weld(&[[f32::NAN; 3]]).unwrap().target, [0]);
+    }
+
+    #[test]
+    fn the_first_of_equal_positions_is_kept_to_the_bit() {
+        let positions = [[-0.0f32, 1.0, 0.0], [0.0, 1.0, -0.0]];
+        let mut target = [7; 2];
+        let distinct = weld_into(&mut target, |v| positions[v]).unwrap();
+        assert_eq!((target, distinct.source), ([0, 0], vec![0]));
+        assert_eq!(distinct.positions[0].map(f32::to_bits), positions[0].map(f32::to_bits));
     }
 }
