@@ -11,7 +11,12 @@
 //!   with an unknown keyword: [`Triangles::notes`] counts them.
 //! - A backslash continues a line; LF, CRLF and CR end one. Names and comments may be in any encoding.
 
+#[cfg(feature = "parallel")]
+mod append;
 mod keyword;
+#[cfg(feature = "parallel")]
+mod parallel;
+mod plain;
 mod writer;
 
 pub(crate) use self::keyword::begins_with_keyword;
@@ -33,6 +38,14 @@ use crate::{Error, Format, Note, Place, Reason, Skipped, Triangles};
 /// file. Also if there is neither a vertex nor a face, and most lines begin with no OBJ keyword: by chance, some
 /// lines of any junk do. An empty file is an empty mesh.
 pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
+    #[cfg(feature = "parallel")]
+    if let Some(mesh) = parallel::read(bytes) {
+        return Ok(mesh);
+    }
+    read_in_order(bytes)
+}
+
+fn read_in_order(bytes: &[u8]) -> Result<Triangles, Error> {
     match Reader::new(bytes, u32::MAX).run() {
         Ok(reader) if reader.corner_bound as usize <= reader.positions.len() => return reader.finish(),
         Err(error @ Error::OutOfMemory { .. }) => return Err(error),
@@ -41,12 +54,12 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
     }
     // Whether a face's corners exist is known at the end only. Instead of remembering lines in every
     // file, the few bad files are read twice: now each corner is checked where it stands.
-    let count = u32::try_from(count_vertices(bytes)).map_err(|_| malformed(Place::File, Reason::TooMany))?;
+    let count = u32::try_from(count_vertices(Scanner::new(bytes)))
+        .map_err(|_| malformed(Place::File, Reason::TooMany))?;
     Reader::new(bytes, count).run()?.finish()
 }
 
-fn count_vertices(bytes: &[u8]) -> usize {
-    let mut scanner = Scanner::new(bytes);
+fn count_vertices(mut scanner: Scanner<'_>) -> usize {
     let mut count = 0;
     while !scanner.is_at_end() {
         count += usize::from(scanner.word() == Some(b"v"));
@@ -63,6 +76,8 @@ struct Reader<'a> {
     scanner: Scanner<'a>,
     /// How many vertices a corner may name.
     limit: u32,
+    /// How many vertices there are before those in `positions`, where that is known.
+    before: Option<usize>,
     positions: Vec<[f32; 3]>,
     polygons: Polygons,
     /// One more than the highest corner of any face.
@@ -77,6 +92,7 @@ impl<'a> Reader<'a> {
         Self {
             scanner: Scanner::new(bytes),
             limit,
+            before: Some(0),
             positions: Vec::new(),
             polygons: Polygons::default(),
             corner_bound: 0,
@@ -86,14 +102,61 @@ impl<'a> Reader<'a> {
     }
 
     fn run(mut self) -> Result<Self, Error> {
+        self.lines()?;
+        Ok(self)
+    }
+
+    fn lines(&mut self) -> Result<(), Error> {
         while !self.scanner.is_at_end() {
-            let line = Place::Line(self.scanner.line());
-            if let Some(keyword) = self.scanner.word() {
-                self.statement(keyword, line)?;
+            if !self.plain_line()? {
+                self.line()?;
             }
             self.scanner.end_line();
         }
-        Ok(self)
+        Ok(())
+    }
+
+    /// How many vertices there are so far, where that is known.
+    #[inline(always)]
+    fn vertices(&self) -> Option<usize> {
+        self.before.map(|before| before + self.positions.len())
+    }
+
+    /// Reads a line that is as plain as most; `false`, with nothing read, if it is not.
+    #[inline(always)]
+    fn plain_line(&mut self) -> Result<bool, Error> {
+        let rest = match self.scanner.remainder() {
+            [b'v', b' ', line @ ..] => {
+                let Some((position, rest)) = plain::position(line) else { return Ok(false) };
+                push(&mut self.positions, position)?;
+                rest
+            }
+            [b'f', b' ', line @ ..] => {
+                let corners = plain::corners(line, self.vertices(), self.limit);
+                let Some((corners, rest)) = corners else { return Ok(false) };
+                self.corner_bound = self.corner_bound.max(corners.highest + 1);
+                let mut polygon = self.polygons.open();
+                for corner in corners.list() {
+                    self.polygons.corner(&mut polygon, *corner)?;
+                }
+                self.polygons.close(polygon)?;
+                rest
+            }
+            [b'v', b'n' | b't', b' ', rest @ ..] => rest,
+            _ => return Ok(false),
+        };
+        self.statements += 1;
+        self.scanner.go_on_with(rest);
+        Ok(true)
+    }
+
+    #[inline(never)]
+    fn line(&mut self) -> Result<(), Error> {
+        let line = Place::Line(self.scanner.line());
+        match self.scanner.word() {
+            Some(keyword) => self.statement(keyword, line),
+            None => Ok(()),
+        }
     }
 
     #[inline(always)]
@@ -158,7 +221,7 @@ impl<'a> Reader<'a> {
         if !negative {
             return Ok(u32::try_from(index - 1).unwrap_or(u32::MAX));
         }
-        let before = self.positions.len();
+        let before = self.vertices().ok_or_else(bad)?;
         let back = usize::try_from(index).unwrap_or(usize::MAX);
         let corner = before.checked_sub(back).ok_or_else(|| out_of_range(word, before, line))?;
         Ok(u32::try_from(corner).unwrap_or(u32::MAX))
