@@ -14,6 +14,7 @@
 #[cfg(feature = "parallel")]
 mod append;
 mod keyword;
+mod numbering;
 #[cfg(feature = "parallel")]
 mod parallel;
 mod plain;
@@ -21,6 +22,7 @@ mod writer;
 
 pub(crate) use self::keyword::begins_with_keyword;
 use self::keyword::{element, is_other};
+use self::numbering::Numbering;
 pub(crate) use self::writer::write;
 use crate::error::quote;
 use crate::memory::push;
@@ -46,7 +48,7 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
 }
 
 fn read_in_order(bytes: &[u8]) -> Result<Triangles, Error> {
-    match Reader::new(bytes, u32::MAX).run() {
+    match Reader::new(bytes, Numbering::of_file(u32::MAX)).run() {
         Ok(reader) if reader.corner_bound as usize <= reader.positions.len() => return reader.finish(),
         Err(error @ Error::OutOfMemory { .. }) => return Err(error),
         // What was read goes before it is read again.
@@ -56,7 +58,7 @@ fn read_in_order(bytes: &[u8]) -> Result<Triangles, Error> {
     // file, the few bad files are read twice: now each corner is checked where it stands.
     let count = u32::try_from(count_vertices(Scanner::new(bytes)))
         .map_err(|_| malformed(Place::File, Reason::TooMany))?;
-    Reader::new(bytes, count).run()?.finish()
+    Reader::new(bytes, Numbering::of_file(count)).run()?.finish()
 }
 
 fn count_vertices(mut scanner: Scanner<'_>) -> usize {
@@ -72,12 +74,18 @@ fn malformed(place: Place, reason: Reason) -> Error {
     Error::malformed(Format::Obj, place, reason)
 }
 
+/// What a word of a face names.
+enum Corner {
+    Absolute(u32),
+    Back(u32),
+    /// No vertex that a face may name.
+    Beyond,
+}
+
 struct Reader<'a> {
     scanner: Scanner<'a>,
-    /// How many vertices a corner may name.
-    limit: u32,
-    /// How many vertices there are before those in `positions`, where that is known.
-    before: Option<usize>,
+    /// What corners are made of before the first line.
+    numbering: Numbering,
     positions: Vec<[f32; 3]>,
     polygons: Polygons,
     /// One more than the highest corner of any face.
@@ -88,11 +96,10 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn new(bytes: &'a [u8], limit: u32) -> Self {
+    fn new(bytes: &'a [u8], numbering: Numbering) -> Self {
         Self {
             scanner: Scanner::new(bytes),
-            limit,
-            before: Some(0),
+            numbering,
             positions: Vec::new(),
             polygons: Polygons::default(),
             corner_bound: 0,
@@ -114,40 +121,6 @@ impl<'a> Reader<'a> {
             self.scanner.end_line();
         }
         Ok(())
-    }
-
-    /// How many vertices there are so far, where that is known.
-    #[inline(always)]
-    fn vertices(&self) -> Option<usize> {
-        self.before.map(|before| before + self.positions.len())
-    }
-
-    /// Reads a line that is as plain as most; `false`, with nothing read, if it is not.
-    #[inline(always)]
-    fn plain_line(&mut self) -> Result<bool, Error> {
-        let rest = match self.scanner.remainder() {
-            [b'v', b' ', line @ ..] => {
-                let Some((position, rest)) = plain::position(line) else { return Ok(false) };
-                push(&mut self.positions, position)?;
-                rest
-            }
-            [b'f', b' ', line @ ..] => {
-                let corners = plain::corners(line, self.vertices(), self.limit);
-                let Some((corners, rest)) = corners else { return Ok(false) };
-                self.corner_bound = self.corner_bound.max(corners.highest + 1);
-                let mut polygon = self.polygons.open();
-                for corner in corners.list() {
-                    self.polygons.corner(&mut polygon, *corner)?;
-                }
-                self.polygons.close(polygon)?;
-                rest
-            }
-            [b'v', b'n' | b't', b' ', rest @ ..] => rest,
-            _ => return Ok(false),
-        };
-        self.statements += 1;
-        self.scanner.go_on_with(rest);
-        Ok(true)
     }
 
     #[inline(never)]
@@ -189,27 +162,31 @@ impl<'a> Reader<'a> {
         let mut bound = 0;
         let mut beyond = None;
         while let Some(word) = self.scanner.word() {
-            let corner = self.corner(word, line)?;
-            if corner >= self.limit && beyond.is_none() {
-                beyond = Some(word);
-            }
+            let corner = match self.corner(word, line)? {
+                Corner::Back(corner) => corner,
+                Corner::Absolute(corner) => {
+                    bound = bound.max(corner.saturating_add(1));
+                    corner
+                }
+                Corner::Beyond => {
+                    beyond = beyond.or(Some(word));
+                    u32::MAX
+                }
+            };
             self.polygons.corner(&mut polygon, corner)?;
-            bound = bound.max(corner.saturating_add(1));
         }
         if polygon.size < 3 {
             skip(&mut self.notes, Skipped::ShortFaces, 1, line);
             return Ok(());
         }
         if let Some(word) = beyond {
-            return Err(out_of_range(word, self.limit as usize, line));
+            return Err(out_of_range(word, self.numbering.limit() as usize, line));
         }
         self.corner_bound = self.corner_bound.max(bound);
         self.polygons.close(polygon)
     }
 
-    /// The vertex that a corner names; `u32::MAX` for any number that is too large for a `u32`.
-    #[inline(always)]
-    fn corner(&self, word: &[u8], line: Place) -> Result<u32, Error> {
+    fn corner(&self, word: &[u8], line: Place) -> Result<Corner, Error> {
         let bad = || malformed(line, Reason::BadIndex { word: quote(word) });
         let (negative, index, rest) = index_prefix(word).ok_or_else(bad)?;
         if !rest.is_empty() && !is_corner_tail(rest) {
@@ -218,13 +195,12 @@ impl<'a> Reader<'a> {
         if index == 0 {
             return Err(malformed(line, Reason::IndexZero));
         }
+        let numbering = self.numbering.after(self.positions.len());
         if !negative {
-            return Ok(u32::try_from(index - 1).unwrap_or(u32::MAX));
+            return Ok(numbering.absolute(index).map_or(Corner::Beyond, Corner::Absolute));
         }
-        let before = self.vertices().ok_or_else(bad)?;
-        let back = usize::try_from(index).unwrap_or(usize::MAX);
-        let corner = before.checked_sub(back).ok_or_else(|| out_of_range(word, before, line))?;
-        Ok(u32::try_from(corner).unwrap_or(u32::MAX))
+        let corner = numbering.back(index);
+        corner.map(Corner::Back).ok_or_else(|| out_of_range(word, self.positions.len(), line))
     }
 
     #[cold]

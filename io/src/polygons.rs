@@ -31,6 +31,12 @@ impl Polygons {
         &self.faces
     }
 
+    /// The corners of all faces.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn corners_mut(&mut self) -> impl Iterator<Item = &mut u32> {
+        self.faces.as_flattened_mut().iter_mut()
+    }
+
     /// Begins a polygon. One of fewer than three corners need not be closed: it has no face.
     #[inline(always)]
     pub(crate) fn open(&self) -> Open {

@@ -2,11 +2,12 @@
 
 use rayon::prelude::*;
 
+use super::Reader;
 use super::append::append;
-use super::{Reader, count_vertices};
+use super::numbering::{Numbering, settle};
 use crate::text::{Scanner, is_joined};
 use crate::triangles::skip;
-use crate::{Error, Place, Triangles};
+use crate::{Place, Triangles};
 
 /// Bytes of a part. What it holds stays in the cache until it is copied to its place.
 const PART: usize = 1 << 19;
@@ -29,10 +30,9 @@ pub(super) fn read(bytes: &[u8]) -> Option<Triangles> {
 
 fn read_parts(bytes: &[u8], size: usize, round: usize) -> Option<Triangles> {
     let (first, mut rest) = split(bytes, size);
-    let mut all = Reader::new(first, u32::MAX).run().ok()?;
+    let mut all = Reader::new(first, Numbering::of_file(u32::MAX)).run().ok()?;
     let mut line = all.scanner.line();
-    let mut readers: Vec<_> = (0..round).map(|_| Reader::new(b"", u32::MAX)).collect();
-    let mut is_relative = false;
+    let mut readers: Vec<_> = (0..round).map(|_| Reader::new(b"", Numbering::of_part())).collect();
     while !rest.is_empty() {
         let mut parts = Vec::with_capacity(round);
         while parts.len() < round && !rest.is_empty() {
@@ -41,31 +41,11 @@ fn read_parts(bytes: &[u8], size: usize, round: usize) -> Option<Triangles> {
             parts.push(part);
         }
         let readers = &mut readers[..parts.len()];
-        is_relative = is_relative || !read_absolute(&parts, readers);
-        if is_relative && !read_relative(&parts, readers, all.positions.len()) {
-            return None;
-        }
-        line = all.append(readers, line).ok()?;
+        readers.par_iter_mut().zip(parts).try_for_each(|(reader, part)| reader.restart(part).lines().ok())?;
+        line = all.append(readers, line)?;
     }
     let exist = all.corner_bound as usize <= all.positions.len();
     exist.then(|| all.finish().ok())?
-}
-
-/// Reads each part without knowing how many vertices are before it; `false` if a corner is counted back from them.
-fn read_absolute<'a>(parts: &[&'a [u8]], readers: &mut [Reader<'a>]) -> bool {
-    let pairs = parts.par_iter().zip(readers);
-    pairs.map(|(part, reader)| reader.restart(part, None).lines().is_ok()).reduce(|| true, |a, b| a && b)
-}
-
-/// Counts the vertices of all parts before they are read; `false` if there is something wrong with a part.
-fn read_relative<'a>(parts: &[&'a [u8]], readers: &mut [Reader<'a>], mut before: usize) -> bool {
-    let mut counts = Vec::new();
-    parts.par_iter().map(|part| count_vertices(Scanner::of_part(part))).collect_into_vec(&mut counts);
-    for count in &mut counts {
-        before += std::mem::replace(count, before);
-    }
-    let pairs = parts.par_iter().zip(readers).zip(counts);
-    pairs.all(|((part, reader), before)| reader.restart(part, Some(before)).lines().is_ok())
 }
 
 /// The first `size` bytes or so, to the end of a line that is not joined to the next one; and the rest.
@@ -81,9 +61,8 @@ fn split(bytes: &[u8], size: usize) -> (&[u8], &[u8]) {
 
 impl<'a> Reader<'a> {
     /// Empties the reader, for another part of the file; the memory stays.
-    fn restart(&mut self, part: &'a [u8], before: Option<usize>) -> &mut Self {
+    fn restart(&mut self, part: &'a [u8]) -> &mut Self {
         self.scanner = Scanner::of_part(part);
-        self.before = before;
         self.positions.clear();
         self.polygons.clear();
         self.corner_bound = 0;
@@ -93,11 +72,21 @@ impl<'a> Reader<'a> {
     }
 
     /// Takes what was read in the next parts, of which the first begins at `line`; the line behind them.
-    fn append(&mut self, parts: &[Self], mut line: usize) -> Result<usize, Error> {
+    fn append(&mut self, parts: &mut [Self], mut line: usize) -> Option<usize> {
+        let mut vertices = self.positions.len();
+        let mut before = Vec::with_capacity(parts.len());
+        for part in &*parts {
+            before.push(u32::try_from(vertices).ok()?);
+            vertices += part.positions.len();
+        }
+        let mut pairs = parts.par_iter_mut().zip(before);
+        if !pairs.all(|(part, before)| settle(part.polygons.corners_mut(), before)) {
+            return None;
+        }
         let positions: Vec<_> = parts.iter().map(|part| part.positions.as_slice()).collect();
-        append(&mut self.positions, &positions)?;
+        append(&mut self.positions, &positions).ok()?;
         let polygons: Vec<_> = parts.iter().map(|part| &part.polygons).collect();
-        self.polygons.append(&polygons, append)?;
+        self.polygons.append(&polygons, append).ok()?;
         for part in parts {
             for note in &part.notes {
                 // Lines of a part are counted from 1.
@@ -108,7 +97,7 @@ impl<'a> Reader<'a> {
             self.statements += part.statements;
             line += part.scanner.line() - 1;
         }
-        Ok(line)
+        Some(line)
     }
 }
 
