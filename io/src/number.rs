@@ -22,9 +22,15 @@ pub(crate) fn f32_of(word: &[u8]) -> Option<f32> {
 /// subnormal `f32`, and between two is one bit pattern.
 #[inline(always)]
 fn short_decimal(word: &[u8]) -> Option<f32> {
-    const HALFWAY: u64 = 1 << 28;
     let (negative, digits) = split_sign(word);
     let (mantissa, exponent) = mantissa_and_exponent(digits)?;
+    nearest(negative, mantissa, exponent)
+}
+
+/// The `f32` nearest to the mantissa times ten to the exponent, where one operation tells.
+#[inline(always)]
+fn nearest(negative: bool, mantissa: u64, exponent: i32) -> Option<f32> {
+    const HALFWAY: u64 = 1 << 28;
     let power = POWERS.get(exponent.unsigned_abs() as usize)?;
     if mantissa > 1 << 53 {
         return None;
@@ -34,6 +40,59 @@ fn short_decimal(word: &[u8]) -> Option<f32> {
         return None;
     }
     Some(if negative { -wide as f32 } else { wide as f32 })
+}
+
+/// The decimal number that the bytes begin with, without exponent, and what follows it. `None` for whatever
+/// needs a closer look at the whole word: [`f32_of`] gives the same for what this reads.
+#[inline(always)]
+pub(crate) fn f32_prefix(bytes: &[u8]) -> Option<(f32, &[u8])> {
+    let (negative, digits) = split_sign(bytes);
+    let (mut mantissa, whole, mut rest) = leading_digits(0, digits);
+    let mut count = whole;
+    let mut exponent = 0;
+    if let [b'.', tail @ ..] = rest {
+        let fraction;
+        (mantissa, fraction, rest) = digits_by_eight(mantissa, tail)?;
+        count += fraction;
+        exponent = -(fraction as i32);
+    }
+    if count == 0 || count > 19 {
+        return None;
+    }
+    Some((nearest(negative, mantissa, exponent)?, rest))
+}
+
+/// [`leading_digits`], eight at a time; `None` within eight bytes of the end.
+#[inline(always)]
+fn digits_by_eight(number: u64, bytes: &[u8]) -> Option<(u64, usize, &[u8])> {
+    const TENS: [u64; 9] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
+    let values = u64::from_le_bytes(*bytes.first_chunk()?) ^ EACH * u64::from(b'0');
+    // Adding 0x76 sets the top bit of a byte from ten on; what is carried reaches bytes behind it only.
+    let others = (values.wrapping_add(EACH * 0x76) | values) & EACH * 0x80;
+    let count = others.trailing_zeros() as usize / 8;
+    let rest = &bytes[count..];
+    if count == 8 {
+        let (number, more, rest) =
+            leading_digits(number.wrapping_mul(TENS[8]).wrapping_add(eight_digits(values)), rest);
+        return Some((number, 8 + more, rest));
+    }
+    // Zeros in front, instead of what follows the digits.
+    let values = values << (56 - 8 * count) << 8;
+    Some((number.wrapping_mul(TENS[count]).wrapping_add(eight_digits(values)), count, rest))
+}
+
+/// A byte of one, eight times.
+const EACH: u64 = 0x0101_0101_0101_0101;
+
+/// The number of eight decimal digits, the first one in the lowest byte: neighbours are put together, to pairs,
+/// fours and eight.
+#[inline(always)]
+fn eight_digits(values: u64) -> u64 {
+    const LOW: u64 = 0x0000_00FF_0000_00FF;
+    let pairs = values.wrapping_mul(10).wrapping_add(values >> 8);
+    let upper = (pairs & LOW).wrapping_mul(100 + (1_000_000 << 32));
+    let lower = (pairs >> 16 & LOW).wrapping_mul(1 + (10_000 << 32));
+    upper.wrapping_add(lower) >> 32
 }
 
 /// `12.50e3` as 1250 and 1; `None` for more digits than a `u64` is sure to hold.
@@ -81,6 +140,14 @@ fn split_sign(word: &[u8]) -> (bool, &[u8]) {
         [b'+', rest @ ..] => (false, rest),
         _ => (false, word),
     }
+}
+
+/// [`index_prefix`] for up to 19 digits; `None` within eight bytes of the end.
+#[inline(always)]
+pub(crate) fn short_index_prefix(bytes: &[u8]) -> Option<(bool, u64, &[u8])> {
+    let (negative, digits) = split_sign(bytes);
+    let (value, count, rest) = digits_by_eight(0, digits)?;
+    (0 < count && count <= 19).then_some((negative, value, rest))
 }
 
 /// An index as written: its sign and its size, `u64::MAX` for anything beyond 19 digits. With it comes

@@ -11,11 +11,18 @@
 //!   with an unknown keyword: [`Triangles::notes`] counts them.
 //! - A backslash continues a line; LF, CRLF and CR end one. Names and comments may be in any encoding.
 
+#[cfg(feature = "parallel")]
+mod append;
 mod keyword;
+mod numbering;
+#[cfg(feature = "parallel")]
+mod parallel;
+mod plain;
 mod writer;
 
 pub(crate) use self::keyword::begins_with_keyword;
 use self::keyword::{element, is_other};
+use self::numbering::Numbering;
 pub(crate) use self::writer::write;
 use crate::error::quote;
 use crate::memory::push;
@@ -33,7 +40,15 @@ use crate::{Error, Format, Note, Place, Reason, Skipped, Triangles};
 /// file. Also if there is neither a vertex nor a face, and most lines begin with no OBJ keyword: by chance, some
 /// lines of any junk do. An empty file is an empty mesh.
 pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
-    match Reader::new(bytes, u32::MAX).run() {
+    #[cfg(feature = "parallel")]
+    if let Some(mesh) = parallel::read(bytes) {
+        return Ok(mesh);
+    }
+    read_in_order(bytes)
+}
+
+fn read_in_order(bytes: &[u8]) -> Result<Triangles, Error> {
+    match Reader::new(bytes, Numbering::of_file(u32::MAX)).run() {
         Ok(reader) if reader.corner_bound as usize <= reader.positions.len() => return reader.finish(),
         Err(error @ Error::OutOfMemory { .. }) => return Err(error),
         // What was read goes before it is read again.
@@ -41,12 +56,12 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
     }
     // Whether a face's corners exist is known at the end only. Instead of remembering lines in every
     // file, the few bad files are read twice: now each corner is checked where it stands.
-    let count = u32::try_from(count_vertices(bytes)).map_err(|_| malformed(Place::File, Reason::TooMany))?;
-    Reader::new(bytes, count).run()?.finish()
+    let count = u32::try_from(count_vertices(Scanner::new(bytes)))
+        .map_err(|_| malformed(Place::File, Reason::TooMany))?;
+    Reader::new(bytes, Numbering::of_file(count)).run()?.finish()
 }
 
-fn count_vertices(bytes: &[u8]) -> usize {
-    let mut scanner = Scanner::new(bytes);
+fn count_vertices(mut scanner: Scanner<'_>) -> usize {
     let mut count = 0;
     while !scanner.is_at_end() {
         count += usize::from(scanner.word() == Some(b"v"));
@@ -59,10 +74,18 @@ fn malformed(place: Place, reason: Reason) -> Error {
     Error::malformed(Format::Obj, place, reason)
 }
 
+/// What a word of a face names.
+enum Corner {
+    Absolute(u32),
+    Back(u32),
+    /// No vertex that a face may name.
+    Beyond,
+}
+
 struct Reader<'a> {
     scanner: Scanner<'a>,
-    /// How many vertices a corner may name.
-    limit: u32,
+    /// What corners are made of before the first line.
+    numbering: Numbering,
     positions: Vec<[f32; 3]>,
     polygons: Polygons,
     /// One more than the highest corner of any face.
@@ -73,10 +96,10 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn new(bytes: &'a [u8], limit: u32) -> Self {
+    fn new(bytes: &'a [u8], numbering: Numbering) -> Self {
         Self {
             scanner: Scanner::new(bytes),
-            limit,
+            numbering,
             positions: Vec::new(),
             polygons: Polygons::default(),
             corner_bound: 0,
@@ -86,14 +109,27 @@ impl<'a> Reader<'a> {
     }
 
     fn run(mut self) -> Result<Self, Error> {
+        self.lines()?;
+        Ok(self)
+    }
+
+    fn lines(&mut self) -> Result<(), Error> {
         while !self.scanner.is_at_end() {
-            let line = Place::Line(self.scanner.line());
-            if let Some(keyword) = self.scanner.word() {
-                self.statement(keyword, line)?;
+            if !self.plain_line()? {
+                self.line()?;
             }
             self.scanner.end_line();
         }
-        Ok(self)
+        Ok(())
+    }
+
+    #[inline(never)]
+    fn line(&mut self) -> Result<(), Error> {
+        let line = Place::Line(self.scanner.line());
+        match self.scanner.word() {
+            Some(keyword) => self.statement(keyword, line),
+            None => Ok(()),
+        }
     }
 
     #[inline(always)]
@@ -126,27 +162,31 @@ impl<'a> Reader<'a> {
         let mut bound = 0;
         let mut beyond = None;
         while let Some(word) = self.scanner.word() {
-            let corner = self.corner(word, line)?;
-            if corner >= self.limit && beyond.is_none() {
-                beyond = Some(word);
-            }
+            let corner = match self.corner(word, line)? {
+                Corner::Back(corner) => corner,
+                Corner::Absolute(corner) => {
+                    bound = bound.max(corner.saturating_add(1));
+                    corner
+                }
+                Corner::Beyond => {
+                    beyond = beyond.or(Some(word));
+                    u32::MAX
+                }
+            };
             self.polygons.corner(&mut polygon, corner)?;
-            bound = bound.max(corner.saturating_add(1));
         }
         if polygon.size < 3 {
             skip(&mut self.notes, Skipped::ShortFaces, 1, line);
             return Ok(());
         }
         if let Some(word) = beyond {
-            return Err(out_of_range(word, self.limit as usize, line));
+            return Err(out_of_range(word, self.numbering.limit() as usize, line));
         }
         self.corner_bound = self.corner_bound.max(bound);
         self.polygons.close(polygon)
     }
 
-    /// The vertex that a corner names; `u32::MAX` for any number that is too large for a `u32`.
-    #[inline(always)]
-    fn corner(&self, word: &[u8], line: Place) -> Result<u32, Error> {
+    fn corner(&self, word: &[u8], line: Place) -> Result<Corner, Error> {
         let bad = || malformed(line, Reason::BadIndex { word: quote(word) });
         let (negative, index, rest) = index_prefix(word).ok_or_else(bad)?;
         if !rest.is_empty() && !is_corner_tail(rest) {
@@ -155,13 +195,12 @@ impl<'a> Reader<'a> {
         if index == 0 {
             return Err(malformed(line, Reason::IndexZero));
         }
+        let numbering = self.numbering.after(self.positions.len());
         if !negative {
-            return Ok(u32::try_from(index - 1).unwrap_or(u32::MAX));
+            return Ok(numbering.absolute(index).map_or(Corner::Beyond, Corner::Absolute));
         }
-        let before = self.positions.len();
-        let back = usize::try_from(index).unwrap_or(usize::MAX);
-        let corner = before.checked_sub(back).ok_or_else(|| out_of_range(word, before, line))?;
-        Ok(u32::try_from(corner).unwrap_or(u32::MAX))
+        let corner = numbering.back(index);
+        corner.map(Corner::Back).ok_or_else(|| out_of_range(word, self.positions.len(), line))
     }
 
     #[cold]

@@ -31,6 +31,12 @@ impl Polygons {
         &self.faces
     }
 
+    /// The corners of all faces.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn corners_mut(&mut self) -> impl Iterator<Item = &mut u32> {
+        self.faces.as_flattened_mut().iter_mut()
+    }
+
     /// Begins a polygon. One of fewer than three corners need not be closed: it has no face.
     #[inline(always)]
     pub(crate) fn open(&self) -> Open {
@@ -98,6 +104,59 @@ impl Polygons {
         let mut starts = Vec::new();
         reserve(&mut starts, start + 1)?;
         starts.extend(0..=start as u32);
+        self.starts = Some(starts);
+        Ok(())
+    }
+
+    /// Forgets all polygons and keeps the memory of their faces.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn clear(&mut self) {
+        let mut faces = std::mem::take(&mut self.faces);
+        faces.clear();
+        *self = Self { faces, ..Self::default() };
+    }
+
+    /// Puts polygons behind these; `append` does it with the faces of each.
+    #[cfg(feature = "parallel")]
+    pub(crate) fn append(
+        &mut self,
+        parts: &[&Self],
+        append: impl FnOnce(&mut Vec<[u32; 3]>, &[&[[u32; 3]]]) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let mut start = self.faces.len();
+        for part in parts {
+            self.append_starts(start, part)?;
+            self.small.iter_mut().zip(part.small).for_each(|(count, more)| *count += more);
+            part.large.iter().for_each(|(size, more)| *self.large.entry(*size).or_default() += more);
+            start += part.faces.len();
+        }
+        let faces: Vec<_> = parts.iter().map(|part| part.faces()).collect();
+        append(&mut self.faces, &faces)
+    }
+
+    /// The first faces of a part's polygons, which begin at face `start` here.
+    #[cfg(feature = "parallel")]
+    fn append_starts(&mut self, start: usize, part: &Self) -> Result<(), Error> {
+        if self.starts.is_none() && part.starts.is_none() {
+            return Ok(());
+        }
+        let mut starts = self.starts.take().unwrap_or_default();
+        if starts.is_empty() {
+            // Until now, each face was a polygon.
+            reserve(&mut starts, start)?;
+            starts.extend(0..start as u32);
+        }
+        let offset = start as u32;
+        match &part.starts {
+            Some(of_part) => {
+                reserve(&mut starts, of_part.len())?;
+                starts.extend(of_part.iter().map(|face| offset.wrapping_add(*face)));
+            }
+            None => {
+                reserve(&mut starts, part.faces.len())?;
+                starts.extend((0..part.faces.len()).map(|face| offset.wrapping_add(face as u32)));
+            }
+        }
         self.starts = Some(starts);
         Ok(())
     }

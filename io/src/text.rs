@@ -31,7 +31,12 @@ const CLASS: [u8; 256] = {
 impl<'a> Scanner<'a> {
     /// At the first line, behind a byte order mark.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes: bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes), at: 0, line: 1 }
+        Self::of_part(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes))
+    }
+
+    /// At the first line of a part of a file: what looks like a byte order mark is none.
+    pub(crate) fn of_part(bytes: &'a [u8]) -> Self {
+        Self { bytes, at: 0, line: 1 }
     }
 
     /// Number of the line that the scanner is on, from 1.
@@ -50,6 +55,18 @@ impl<'a> Scanner<'a> {
         let start = self.at;
         self.skip_word();
         (start < self.at).then(|| &self.bytes[start..self.at])
+    }
+
+    /// Every byte from here on.
+    #[inline(always)]
+    pub(crate) fn remainder(&self) -> &'a [u8] {
+        &self.bytes[self.at.min(self.bytes.len())..]
+    }
+
+    /// Goes on with `remainder`, the end of what is left of this line and of those behind it.
+    #[inline(always)]
+    pub(crate) fn go_on_with(&mut self, remainder: &[u8]) {
+        self.at = self.bytes.len() - remainder.len();
     }
 
     /// What is left of this line as it stands, for names that may hold any character.
@@ -137,7 +154,7 @@ impl<'a> Scanner<'a> {
 
 /// Whether a line's text ends with a backslash that joins the next line to it.
 #[inline(always)]
-fn is_joined(line: &[u8]) -> bool {
+pub(crate) fn is_joined(line: &[u8]) -> bool {
     line.iter().rev().find(|byte| !matches!(byte, b' ' | b'\t')) == Some(&b'\\')
 }
 
