@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use crate::load::Request;
-use crate::{Error, MeshRef, Triangles, gltf, obj};
+use crate::{Error, MeshRef, SaveOptions, Triangles, gltf, obj, ply};
 
 /// The file formats that this crate knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -14,14 +14,17 @@ use crate::{Error, MeshRef, Triangles, gltf, obj};
 pub enum Format {
     /// Wavefront OBJ: text.
     Obj,
+    /// PLY, the polygon file format of Stanford University: text or binary.
+    Ply,
     /// glTF 2.0: JSON, with buffers in it or beside it.
     Gltf,
     /// glTF 2.0 in one binary file.
     Glb,
 }
 
-/// How a mesh is written in a format. The mesh has been checked.
-pub(crate) type Writer = fn(&MeshRef<'_>, &mut dyn Write) -> io::Result<()>;
+/// How a mesh is written in a format. The mesh has been checked; what else the format cannot hold is an [`Error`]
+/// within the [`io::Error`].
+pub(crate) type Writer = fn(&MeshRef<'_>, &mut dyn Write, SaveOptions) -> io::Result<()>;
 
 struct Row {
     format: Format,
@@ -35,14 +38,23 @@ struct Row {
 }
 
 /// Every format. Those with a mark of their own at the start come first, those that are guessed last.
-const ROWS: [Row; 3] = [
+const ROWS: [Row; 4] = [
     Row {
         format: Format::Glb,
         name: "GLB",
         extensions: &["glb"],
         begins: |bytes| bytes.starts_with(gltf::MAGIC),
         read: gltf::read_request,
-        write: None,
+        write: Some(|mesh, out, _| gltf::write_glb(mesh, out)),
+    },
+    Row {
+        format: Format::Ply,
+        name: "PLY",
+        extensions: &["ply"],
+        begins: |bytes| bytes.starts_with(b"ply"),
+        // The reader takes this place.
+        read: |_, _| Err(Error::UnknownFormat { path: None }),
+        write: Some(ply::write),
     },
     Row {
         format: Format::Gltf,
@@ -58,7 +70,7 @@ const ROWS: [Row; 3] = [
         extensions: &["obj"],
         begins: obj::begins_with_keyword,
         read: |bytes, _| obj::read(bytes),
-        write: Some(obj::write),
+        write: Some(|mesh, out, _| obj::write(mesh, out)),
     },
 ];
 

@@ -30,6 +30,8 @@
 
 mod attribute;
 mod beside;
+mod block;
+mod colour;
 mod error;
 mod format;
 pub mod gltf;
@@ -44,6 +46,7 @@ pub mod obj;
 #[cfg(feature = "tobj")]
 pub mod obj_attributes;
 mod place;
+pub mod ply;
 mod polygons;
 mod replacement;
 mod save;
@@ -58,5 +61,5 @@ pub use load::{Options, bytes_of, load, read, read_as, read_at};
 pub use mesh_ref::MeshRef;
 pub use place::{Item, Place};
 pub use replacement::Replacement;
-pub use save::{save, save_as, write};
+pub use save::{SaveOptions, save, save_as, write};
 pub use triangles::{Note, Skipped, Triangles};

@@ -12,6 +12,8 @@ pub enum Place {
     Line(usize),
     /// A byte of a binary file.
     Byte(usize),
+    /// A vertex of a mesh that is to be written.
+    Vertex(usize),
     /// A face of a mesh that is to be written.
     Face(usize),
     /// A buffer of a glTF document.
@@ -31,6 +33,7 @@ impl fmt::Display for Place {
             Self::File => write!(f, "the whole file"),
             Self::Line(line) => write!(f, "line {line}"),
             Self::Byte(byte) => write!(f, "byte {byte}"),
+            Self::Vertex(vertex) => write!(f, "vertex {vertex}"),
             Self::Face(face) => write!(f, "face {face}"),
             Self::Buffer(buffer) => write!(f, "buffer {buffer}"),
             Self::Primitive { mesh, primitive } => write!(f, "mesh {mesh} primitive {primitive}"),
