@@ -2,7 +2,7 @@
 
 mod arbitrary;
 
-use arbitrary::{AllKinds, Mesh, any_mesh, any_number, bits, square};
+use arbitrary::{AllKinds, Mesh, any_mesh, any_number, bits, finite_number, square};
 use onering_io::{Attribute, Format, MeshRef, SaveOptions, Values, write};
 use ply_rs_bw::parser::Parser;
 use ply_rs_bw::ply::{DefaultElement, Property};
@@ -143,24 +143,42 @@ fn colours_follow_the_first_attribute() {
     assert_eq!(colours, [[68, 1, 84], [253, 231, 37], [128; 3], [33, 144, 140]]);
 }
 
+#[test]
+fn numbers_that_are_none_are_words() {
+    let positions = [[f32::NAN, f32::INFINITY, f32::NEG_INFINITY], [-0.0, f32::from_bits(1), f32::MAX]];
+    assert!(text(MeshRef::new(&positions, &[])).ends_with("\nNaN inf -inf\n-0.0 1e-45 3.4028235e38\n"));
+}
+
+fn check_another_reader(mesh: Mesh, numbers: &[u32], number: fn(u32) -> f32, ascii: bool) {
+    let vertices = AllKinds::of(numbers, mesh.positions.len(), number);
+    let with_values = vertices.attributes();
+    let file = ply(mesh.as_ref().with_vertex_attributes(&with_values), ascii);
+    assert_holds(&file, &mesh);
+    elements(&file)[0].iter().enumerate().for_each(|(v, vertex)| assert_has_values(vertex, &vertices, v));
+
+    let faces = AllKinds::of(numbers, mesh.faces.len(), number);
+    let with_values = faces.attributes();
+    let file = ply(mesh.as_ref().with_face_attributes(&with_values), ascii);
+    assert_holds(&file, &Mesh { polygon_starts: None, ..mesh });
+    elements(&file)[1].iter().enumerate().for_each(|(f, face)| assert_has_values(face, &faces, f));
+}
+
 proptest! {
     #[test]
-    fn another_reader_finds_the_same_mesh(
+    fn another_reader_finds_the_same_mesh_in_bytes(
         mesh in any_mesh(any_number().boxed()),
         numbers in prop::collection::vec(any::<u32>(), 1..9),
-        ascii in any::<bool>(),
     ) {
-        let vertices = AllKinds::of(&numbers, mesh.positions.len(), f32::from_bits);
-        let with_values = vertices.attributes();
-        let file = ply(mesh.as_ref().with_vertex_attributes(&with_values), ascii);
-        assert_holds(&file, &mesh);
-        elements(&file)[0].iter().enumerate().for_each(|(v, element)| assert_has_values(element, &vertices, v));
+        check_another_reader(mesh, &numbers, f32::from_bits, false);
+    }
 
-        let faces = AllKinds::of(&numbers, mesh.faces.len(), f32::from_bits);
-        let with_values = faces.attributes();
-        let file = ply(mesh.as_ref().with_face_attributes(&with_values), ascii);
-        assert_holds(&file, &Mesh { polygon_starts: None, ..mesh });
-        elements(&file)[1].iter().enumerate().for_each(|(f, element)| assert_has_values(element, &faces, f));
+    /// That reader knows no `inf` and no `nan` in text.
+    #[test]
+    fn another_reader_finds_the_same_mesh_in_text(
+        mesh in any_mesh(finite_number().boxed()),
+        numbers in prop::collection::vec(any::<u32>(), 1..9),
+    ) {
+        check_another_reader(mesh, &numbers, |n| f32::from_bits(n >> 2), true);
     }
 
     #[test]
