@@ -289,6 +289,20 @@ pub enum Reason {
         /// Values of the attribute.
         found: usize,
     },
+    /// A mesh to be written has an infinite value or a NaN, and the format allows none.
+    #[error("{what} is not finite, which the format does not allow")]
+    NotFinite {
+        /// The attribute that it is in, or `position`.
+        what: String,
+    },
+    /// A mesh to be written is larger than the format can say.
+    #[error("the file would have {bytes} bytes, but one of this format has at most {most}")]
+    TooLarge {
+        /// Bytes that it would have.
+        bytes: u64,
+        /// Bytes that it may have.
+        most: u64,
+    },
     /// Attributes beside the faces do not belong to them.
     #[error("attributes do not match the faces: {problem}")]
     Attributes {

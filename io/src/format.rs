@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use crate::load::Request;
-use crate::{Error, MeshRef, Triangles, gltf, obj, off, ply, stl, vrml, x3d};
+use crate::{Error, MeshRef, SaveOptions, Triangles, gltf, obj, off, ply, stl, vrml, x3d};
 
 /// The file formats that this crate knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,8 +30,9 @@ pub enum Format {
     Off,
 }
 
-/// How a mesh is written in a format. The mesh has been checked.
-pub(crate) type Writer = fn(&MeshRef<'_>, &mut dyn Write) -> io::Result<()>;
+/// How a mesh is written in a format. The mesh has been checked; what else the format cannot hold is an [`Error`]
+/// within the [`io::Error`].
+pub(crate) type Writer = fn(&MeshRef<'_>, &mut dyn Write, SaveOptions) -> io::Result<()>;
 
 struct Row {
     format: Format,
@@ -52,7 +53,7 @@ const ROWS: &[Row] = &[
         extensions: &["glb"],
         begins: |bytes| bytes.starts_with(gltf::MAGIC),
         read: gltf::read_request,
-        write: None,
+        write: Some(|mesh, out, _| gltf::write_glb(mesh, out)),
     },
     // A binary STL begins with anything, such as an OBJ keyword; that its length fits by chance is out of the question.
     Row {
@@ -61,7 +62,7 @@ const ROWS: &[Row] = &[
         extensions: &["stl"],
         begins: stl::looks_like_stl,
         read: |bytes, request| stl::read(bytes, &request.options),
-        write: Some(stl::write),
+        write: Some(|mesh, out, _| stl::write(mesh, out)),
     },
     Row {
         format: Format::Ply,
@@ -69,7 +70,7 @@ const ROWS: &[Row] = &[
         extensions: &["ply"],
         begins: ply::begins_with_mark,
         read: |bytes, _| ply::read(bytes),
-        write: None,
+        write: Some(ply::write),
     },
     Row {
         format: Format::Gltf,
@@ -102,7 +103,7 @@ const ROWS: &[Row] = &[
         extensions: &["off"],
         begins: off::begins_with_keyword,
         read: |bytes, _| off::read(bytes),
-        write: Some(off::write),
+        write: Some(|mesh, out, _| off::write(mesh, out)),
     },
     Row {
         format: Format::Obj,
@@ -110,7 +111,7 @@ const ROWS: &[Row] = &[
         extensions: &["obj"],
         begins: obj::begins_with_keyword,
         read: |bytes, _| obj::read(bytes),
-        write: Some(obj::write),
+        write: Some(|mesh, out, _| obj::write(mesh, out)),
     },
 ];
 

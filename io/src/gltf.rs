@@ -22,6 +22,7 @@ mod glb;
 mod narrow;
 mod origin;
 mod primitive;
+mod writer;
 
 use std::path::Path;
 
@@ -31,6 +32,8 @@ use self::primitive::Assembly;
 use crate::error::quote;
 use crate::load::Request;
 use crate::{Error, Format, Place, Reason, Triangles};
+
+pub(crate) use self::writer::write as write_glb;
 
 pub use self::origin::{BufferKind, Origin};
 

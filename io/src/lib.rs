@@ -36,6 +36,8 @@
 
 mod attribute;
 mod beside;
+mod block;
+mod colour;
 mod error;
 mod format;
 pub mod gltf;
@@ -71,5 +73,5 @@ pub use load::{Options, bytes_of, load, read, read_as, read_at};
 pub use mesh_ref::MeshRef;
 pub use place::{Item, Place};
 pub use replacement::Replacement;
-pub use save::{save, save_as, write};
+pub use save::{SaveOptions, save, save_as, write};
 pub use triangles::{Note, Skipped, Triangles};

@@ -19,6 +19,8 @@ pub enum Place {
         /// The byte, from the start of the file.
         byte: usize,
     },
+    /// A vertex of a mesh that is to be written.
+    Vertex(usize),
     /// A face of a mesh that is to be written.
     Face(usize),
     /// A buffer of a glTF document.
@@ -39,6 +41,7 @@ impl fmt::Display for Place {
             Self::Line(line) => write!(f, "line {line}"),
             Self::Byte(byte) => write!(f, "byte {byte}"),
             Self::ByteIn { item, byte } => write!(f, "{item} at byte {byte}"),
+            Self::Vertex(vertex) => write!(f, "vertex {vertex}"),
             Self::Face(face) => write!(f, "face {face}"),
             Self::Buffer(buffer) => write!(f, "buffer {buffer}"),
             Self::Primitive { mesh, primitive } => write!(f, "mesh {mesh} primitive {primitive}"),

@@ -17,16 +17,19 @@ mod ascii;
 mod binary;
 mod body;
 mod element;
+mod encoding;
 mod header;
 mod role;
 mod rows;
 mod scalar;
 mod source;
+mod writer;
 
 use self::ascii::Ascii;
 use self::binary::Binary;
 use self::body::Body;
 use self::header::{Encoding, Header};
+pub(crate) use self::writer::write;
 use crate::{Error, Format, Place, Reason, Triangles};
 
 /// Whether the first line is `ply`.

@@ -1,7 +1,6 @@
 //! Files that appear whole or not at all.
 
-use std::ffi::OsString;
-use std::fs::{self, File};
+use std::fs::{self, File, Metadata};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -9,7 +8,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// A file that is written beside its name and renamed at the end: whoever reads it never sees half of it, and what
 /// was there stays if this run fails. A pipe or a device has no name to take, and is written to directly.
 ///
-/// Dropped before [`finish`](Self::finish), it leaves nothing behind.
+/// The new file has the permissions of the old one, and on Unix its owner where the system allows that. Other hard
+/// links of the old file keep the old content. The last of two runs at once has the name in the end.
+///
+/// Dropped before [`finish`](Self::finish), it leaves nothing behind, nor does a panic; a process that is killed may
+/// leave a file `.onering-*.tmp`.
 #[derive(Debug)]
 pub struct Replacement {
     file: File,
@@ -19,23 +22,58 @@ pub struct Replacement {
 }
 
 impl Replacement {
-    /// Opens a new file beside `path`. A link stays one: what it leads to is replaced.
+    /// Opens a new file beside `path`. A link stays one: what it leads to is replaced, or made.
     ///
     /// # Errors
-    /// Where the file could not be written, before there is something to write.
+    /// Where the file could not be written, before there is something to write: a folder that is not there or may
+    /// not be written to, a directory of this name, an old file that may not be written to.
     pub fn create(path: &Path) -> io::Result<Self> {
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-        match fs::metadata(&target) {
-            Ok(found) if !found.is_file() => {
-                let file = File::options().write(true).open(&target)?;
-                Ok(Self { file, beside: None, target })
+        match fs::metadata(path) {
+            Ok(old) if old.is_dir() => {
+                Err(io::Error::new(io::ErrorKind::IsADirectory, "this is a directory, not a file"))
             }
-            _ => {
-                let beside = name_beside(&target)?;
-                let file = File::options().write(true).create_new(true).open(&beside)?;
-                Ok(Self { file, beside: Some(beside), target })
+            Ok(old) if !old.is_file() => {
+                let file = File::options().write(true).open(path)?;
+                Ok(Self { file, beside: None, target: path.to_owned() })
+            }
+            Ok(old) => {
+                let target = fs::canonicalize(path)?;
+                // Renaming asks for no right to the old file, but who made it read-only meant it.
+                File::options().write(true).open(&target)?;
+                let new = Self::beside(target)?;
+                // Before there is content that others should not see.
+                new.take_after(&old)?;
+                Ok(new)
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Self::beside(end_of_links(path)?),
+            Err(error) => Err(error),
+        }
+    }
+
+    fn beside(target: PathBuf) -> io::Result<Self> {
+        if target.file_name().is_none() {
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, "this is not the name of a file"));
+        }
+        loop {
+            let beside = name_beside(&target);
+            match File::options().write(true).create_new(true).open(&beside) {
+                Ok(file) => return Ok(Self { file, beside: Some(beside), target }),
+                // Left by a process that was killed and had the same number, as the first one of a container has.
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(error),
             }
         }
+    }
+
+    /// Permissions and owner of the old file.
+    fn take_after(&self, old: &Metadata) -> io::Result<()> {
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::{MetadataExt, fchown};
+            // Only the superuser may give files away; others keep what they make.
+            let _ = fchown(&self.file, Some(old.uid()), Some(old.gid()));
+        }
+        self.file.set_permissions(old.permissions())
     }
 
     /// Has all of it on the disk, and takes the place of the old file.
@@ -47,6 +85,7 @@ impl Replacement {
             self.file.sync_all()?;
             fs::rename(beside, &self.target)?;
             self.beside = None;
+            sync_folder(&self.target);
         }
         Ok(())
     }
@@ -70,12 +109,34 @@ impl Drop for Replacement {
     }
 }
 
-/// A name that no other file of this or another process has.
-fn name_beside(target: &Path) -> io::Result<PathBuf> {
-    static COUNT: AtomicUsize = AtomicUsize::new(0);
-    let name = target.file_name().ok_or(io::ErrorKind::InvalidInput)?;
-    let mut hidden = OsString::from(".");
-    hidden.push(name);
-    hidden.push(format!(".{}-{}.tmp", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed)));
-    Ok(target.with_file_name(hidden))
+/// Where links lead to whose end does not exist yet. The system has found that they are no circle.
+fn end_of_links(path: &Path) -> io::Result<PathBuf> {
+    let mut end = path.to_owned();
+    while end.is_symlink() {
+        let link = fs::read_link(&end)?;
+        // A relative one starts from the folder that it is in.
+        end.pop();
+        end.push(link);
+    }
+    Ok(end)
 }
+
+/// A name that no other file of this process has. It does not grow with the target's, which may be as long as names
+/// can be.
+fn name_beside(target: &Path) -> PathBuf {
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    target.with_file_name(format!(".onering-{}-{count}.tmp", std::process::id()))
+}
+
+/// Has the new name on the disk too. Where that fails, the new file is in its place all the same, so there is no
+/// error to tell: some file systems cannot do it.
+#[cfg(unix)]
+fn sync_folder(target: &Path) {
+    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let _ = File::open(folder).and_then(|folder| folder.sync_all());
+}
+
+/// Other systems do not open folders as files.
+#[cfg(not(unix))]
+fn sync_folder(_: &Path) {}

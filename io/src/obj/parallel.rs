@@ -79,7 +79,7 @@ impl<'a> Reader<'a> {
             before.push(u32::try_from(vertices).ok()?);
             vertices += part.positions.len();
         }
-        let mut pairs = parts.par_iter_mut().zip(before);
+        let pairs = parts.par_iter_mut().zip(before);
         if !pairs.all(|(part, before)| settle(part.polygons.corners_mut(), before)) {
             return None;
         }
