@@ -1,9 +1,10 @@
 //! The figures of one file, under the names that the reports use.
 
-use super::{digest, geometry};
+use super::{digest, geometry, verdict};
+use crate::input;
 use onering::defects::{Defects, Figure};
 use onering::repair::weld;
-use onering_io::{Error, Format, Skipped, Triangles, gltf};
+use onering_io::{Format, Options, Skipped, Triangles, gltf};
 use serde::ser::{Error as _, Serialize, SerializeMap, Serializer};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,6 +13,7 @@ use std::path::Path;
 #[derive(Debug, serde::Serialize)]
 pub(crate) struct Inspection {
     pub(crate) file: String,
+    pub(crate) verdict: String,
     pub(crate) format: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) primitives: Option<usize>,
@@ -38,7 +40,6 @@ pub(crate) struct Inspection {
     pub(crate) signed_volume: Option<f64>,
     /// How many vertices have so many edges.
     pub(crate) degree_histogram: BTreeMap<usize, usize>,
-    pub(crate) verdict: String,
     pub(crate) topology: Topology,
     pub(crate) welded: Welded,
     pub(crate) tri_sha256: String,
@@ -62,23 +63,29 @@ pub(crate) enum Welded {
 }
 
 impl Inspection {
-    pub(crate) fn of(path: &Path) -> Result<Self, Error> {
-        let bytes = onering_io::bytes_of(path)?;
-        let mesh = onering_io::read_at(&bytes, path)?;
-        let mut inspection = Self::of_mesh(&mesh);
-        inspection.file = super::name_of(path);
-        inspection.bytes = bytes.len();
-        inspection.sha256 = digest::of_bytes(&bytes);
-        if let Some(format) = Format::of(path, &bytes) {
-            inspection.format = format.to_string();
-        }
-        Ok(inspection)
+    /// Of a file, or of standard input, which is of this format where one is given.
+    pub(crate) fn of(path: &Path, format: Option<Format>) -> Result<Self, String> {
+        let format = format.filter(|_| input::is_standard(path));
+        let bytes = input::bytes_of(path)?;
+        let mesh = input::mesh_in(&bytes, path, format, Options::default())?;
+        let format = input::format_of(&bytes, path, format);
+        let (length, sha256) = (bytes.len(), digest::of_bytes(&bytes));
+        // What follows needs memory of its own.
+        drop(bytes);
+        Ok(Self {
+            file: input::name_of(path),
+            format: format.map(|format| format.to_string()).unwrap_or_default(),
+            bytes: length,
+            sha256,
+            ..Self::of_mesh(&mesh)
+        })
     }
 
     fn of_mesh(mesh: &Triangles) -> Self {
         let Triangles { positions, faces, .. } = mesh;
         let geometry = geometry::Geometry::of(positions, faces);
         let defects = Defects::of(positions.len(), faces);
+        let welded_defects = welded_defects(mesh);
         // A glTF file has 32-bit floats and no decimals: each is exactly the number that is there.
         let number = if mesh.gltf.is_some() { f64::from } else { shortest };
         let mut inspection = Self {
@@ -102,9 +109,9 @@ impl Inspection {
             area: geometry.map(|g| g.area),
             signed_volume: geometry.map(|g| g.signed_volume),
             degree_histogram: degrees(positions.len(), faces),
-            verdict: defects.to_string(),
+            verdict: verdict::of(&defects, welded_defects.as_ref().map(|(_, defects)| defects)),
             topology: Topology::of(&defects, None),
-            welded: Welded::of(mesh),
+            welded: Welded::of(welded_defects.as_ref()),
             tri_sha256: digest::of_faces(faces),
             tri_canonical_sha256: digest::of_canonical(faces),
         };
@@ -144,15 +151,23 @@ impl Topology {
 }
 
 impl Welded {
-    fn of(mesh: &Triangles) -> Self {
-        let welded = weld(&mesh.positions);
-        let vertices = welded.source.len();
-        if vertices == mesh.positions.len() {
-            return Self::Same("same as topology (no two vertices share a position)");
+    fn of(welded: Option<&(usize, Defects)>) -> Self {
+        match welded {
+            None => Self::Same("same as topology (no two vertices share a position)"),
+            Some((vertices, defects)) => Self::Other(Topology::of(defects, Some(*vertices))),
         }
-        let faces: Vec<_> = mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();
-        Self::Other(Topology::of(&Defects::of(vertices, &faces), Some(vertices)))
     }
+}
+
+/// Vertices and defects once vertices at equal positions are one; `None` where no two are.
+fn welded_defects(mesh: &Triangles) -> Option<(usize, Defects)> {
+    let welded = weld(&mesh.positions);
+    let vertices = welded.source.len();
+    if vertices == mesh.positions.len() {
+        return None;
+    }
+    let faces: Vec<_> = mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();
+    Some((vertices, Defects::of(vertices, &faces)))
 }
 
 fn buffers(of: &gltf::Origin) -> Vec<String> {
