@@ -29,8 +29,8 @@ struct Args {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  all was done
-  1  some files could not be read, backends gave different answers, or output could not be made or written (a
-     reader of a pipe that stops early is no failure: 0)
+  1  some files could not be read, backends gave different answers, a mesh could not be made, or output could not
+     be written (a reader of a pipe that stops early is no failure: 0)
   2  wrong usage, or no file could be read";
 
 #[derive(Debug, Subcommand)]

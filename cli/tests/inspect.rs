@@ -76,7 +76,9 @@ fn defects_and_what_was_left_out() {
             "max_faces_per_edge": 4, "closed": false, "manifold": false, "genus": null,
         }),
     );
-    assert_eq!(found["verdict"], "needs repair: 1 degenerate face, 1 non-manifold edge");
+    // The copy runs along two more edges of its original, in the same direction.
+    let verdict = "needs repair: 1 degenerate face, 1 non-manifold edge, 2 inconsistent edges";
+    assert_eq!(found["verdict"], verdict);
     assert_eq!(found["notes"].as_array().unwrap().len(), 2);
 }
 
