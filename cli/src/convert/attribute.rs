@@ -12,7 +12,8 @@ use onering::{
 use onering_io::{Format, Triangles, Values};
 use std::str::FromStr;
 
-/// A value for each vertex or each face.
+/// A value for each vertex. Components are told at vertices as well: formats that hold values at faces give up shared
+/// vertices or polygons for them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Attribute {
     Components,
@@ -26,7 +27,6 @@ pub(crate) enum Attribute {
 #[derive(Debug)]
 pub(crate) struct Computed {
     name: String,
-    pub(crate) is_of_faces: bool,
     column: Column,
 }
 
@@ -45,7 +45,7 @@ impl Attribute {
     pub(crate) const HELP: [(&'static str, &'static str); 5] = [
         (
             "components",
-            "which component a face is in, by shared edges; of vertices, that of their first face",
+            "which component the faces of a vertex are in, by shared edges; where in several, the first",
         ),
         ("boundary", "whether a vertex is on an edge of one face only"),
         ("valence", "how many neighbours a vertex has"),
@@ -64,19 +64,17 @@ impl Attribute {
         }
     }
 
-    fn compute(self, mesh: &Triangles, holds: &Holds) -> Result<Computed, String> {
+    fn compute(self, mesh: &Triangles) -> Result<Computed, String> {
         let Triangles { positions, faces, .. } = mesh;
-        let is_of_faces = self == Self::Components && holds.face_attributes;
         let vertex_count = positions.len();
         let column = match self {
-            Self::Components if is_of_faces => Column::Labels(face_components(vertex_count, faces)?),
-            Self::Components => Column::Labels(vertex_components(vertex_count, faces)?),
+            Self::Components => Column::Labels(first_components(vertex_count, faces)?),
             Self::Boundary => Column::Flags(boundary(vertex_count, faces)?),
             Self::Valence => Column::Labels(valences(vertex_count, faces)?),
             Self::Ring(v) => Column::Labels(ring(vertex_count, faces, v)?),
             Self::Coordinate(axis) => Column::Scalars(positions.iter().map(|p| p[axis]).collect()),
         };
-        Ok(Computed { name: self.name(), is_of_faces, column })
+        Ok(Computed { name: self.name(), column })
     }
 }
 
@@ -112,15 +110,10 @@ impl Computed {
     }
 }
 
-/// Refuses attributes that the format would leave out: all but components are those of vertices.
+/// Refuses attributes that the format would leave out.
 pub(crate) fn check(attributes: &[Attribute], format: Format, holds: &Holds) -> Result<(), Failure> {
-    let can_hold = |attribute: &Attribute, holds: &Holds| {
-        holds.vertex_attributes || *attribute == Attribute::Components && holds.face_attributes
-    };
-    let Some(attribute) = attributes.iter().find(|attribute| !can_hold(attribute, holds)) else {
-        return Ok(());
-    };
-    let able = Format::all().filter(|format| can_hold(attribute, &Holds::of(*format)));
+    let Some(attribute) = attributes.first().filter(|_| !holds.attributes) else { return Ok(()) };
+    let able = Format::all().filter(|format| Holds::of(*format).attributes);
     let able: Vec<String> = able.map(|format| format.to_string()).collect();
     let able = if able.is_empty() { "no format that is written".into() } else { able.join(", ") };
     Err(Failure::Usage(format!(
@@ -130,14 +123,10 @@ pub(crate) fn check(attributes: &[Attribute], format: Format, holds: &Holds) -> 
 }
 
 /// All that was asked for, each once.
-pub(crate) fn compute(
-    options: &args::Convert,
-    mesh: &Triangles,
-    holds: &Holds,
-) -> Result<Vec<Computed>, Failure> {
+pub(crate) fn compute(options: &args::Convert, mesh: &Triangles) -> Result<Vec<Computed>, Failure> {
     let asked = &options.attributes;
     let once = asked.iter().enumerate().filter(|(i, attribute)| !asked[..*i].contains(attribute));
-    once.map(|(_, attribute)| attribute.compute(mesh, holds).map_err(Failure::Output)).collect()
+    once.map(|(_, attribute)| attribute.compute(mesh).map_err(Failure::Output)).collect()
 }
 
 /// The structure that takes the most: all but faces that name a vertex twice.
@@ -155,19 +144,15 @@ fn graph(vertex_count: usize, faces: &[[u32; 3]]) -> Result<VertexGraph, String>
     VertexGraph::from_faces(vertex_count, faces).map_err(|error| error.to_string())
 }
 
-fn face_components(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Vec<u32>, String> {
-    let mesh = adjacency(vertex_count, faces)?;
-    let components = components::components(&mesh);
-    Ok(mesh.faces().map(|f: FaceId| components.of(f) as u32).collect())
-}
-
-/// Of the first face of each vertex.
-fn vertex_components(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Vec<u32>, String> {
-    let mut of = vec![NONE; vertex_count];
-    for (face, component) in faces.iter().zip(face_components(vertex_count, faces)?).rev() {
-        face.iter().for_each(|&v| of[v as usize] = component);
+/// The component of the first face of each vertex.
+fn first_components(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Vec<u32>, String> {
+    let components = components::components(&adjacency(vertex_count, faces)?);
+    let mut first = vec![NONE; vertex_count];
+    for (f, face) in faces.iter().enumerate().rev() {
+        let component = components.of(FaceId::new(f)) as u32;
+        face.iter().for_each(|&v| first[v as usize] = component);
     }
-    Ok(of)
+    Ok(first)
 }
 
 fn boundary(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Vec<bool>, String> {
@@ -207,39 +192,36 @@ mod tests {
     /// A strip of two triangles, a triangle apart, and a vertex in none.
     const FACES: [[u32; 3]; 3] = [[0, 1, 2], [2, 1, 3], [4, 5, 6]];
 
-    fn column(word: &str, faces: &[[u32; 3]], holds: Holds) -> Result<Column, String> {
+    fn column(word: &str, faces: &[[u32; 3]]) -> Result<Column, String> {
         let positions = (0..8).map(|i| [i as f32, 0.5, -(i as f32)]).collect();
         let mesh = Triangles::new(positions, faces.to_vec());
-        Attribute::from_str(word)?.compute(&mesh, &holds).map(|computed| computed.column)
+        Attribute::from_str(word)?.compute(&mesh).map(|computed| computed.column)
     }
 
     #[test]
     fn labels_and_flags_by_hand() {
-        let labels = |word: &str, values: &[u32]| {
-            assert_eq!(column(word, &FACES, Holds::default()), Ok(Column::Labels(values.into())))
-        };
+        let labels =
+            |word: &str, values: &[u32]| assert_eq!(column(word, &FACES), Ok(Column::Labels(values.into())));
         labels("components", &[0, 0, 0, 0, 1, 1, 1, NONE]);
         labels("valence", &[2, 3, 3, 2, 2, 2, 2, 0]);
         labels("ring=0", &[0, 1, 1, 2, NONE, NONE, NONE, NONE]);
-        let on_faces = Holds { face_attributes: true, ..Holds::default() };
-        assert_eq!(column("components", &FACES, on_faces), Ok(Column::Labels(vec![0, 0, 1])));
         let tetrahedron = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2], [4, 5, 6]];
         let flags = [0, 0, 0, 0, 1, 1, 1, 0].map(|flag| flag == 1);
-        assert_eq!(column("boundary", &tetrahedron, Holds::default()), Ok(Column::Flags(flags.into())));
+        assert_eq!(column("boundary", &tetrahedron), Ok(Column::Flags(flags.into())));
         let heights = (0..8).map(|i| -(i as f32)).collect();
-        assert_eq!(column("z", &FACES, Holds::default()), Ok(Column::Scalars(heights)));
+        assert_eq!(column("z", &FACES), Ok(Column::Scalars(heights)));
     }
 
     #[test]
     fn what_a_mesh_cannot_answer_is_said() {
         let degenerate = [[0, 0, 1]];
         for word in ["components", "boundary"] {
-            let error = column(word, &degenerate, Holds::default()).unwrap_err();
+            let error = column(word, &degenerate).unwrap_err();
             assert!(error.starts_with("face 0 names vertex 0 twice, "), "{error}");
         }
-        assert!(column("valence", &degenerate, Holds::default()).is_ok());
-        assert!(column("ring=8", &FACES, Holds::default()).unwrap_err().contains("there are 8"));
-        assert!(column("ring=-1", &FACES, Holds::default()).unwrap_err().contains("`-1`"));
-        assert!(column("colour", &FACES, Holds::default()).unwrap_err().contains("boundary"));
+        assert!(column("valence", &degenerate).is_ok());
+        assert!(column("ring=8", &FACES).unwrap_err().contains("there are 8"));
+        assert!(column("ring=-1", &FACES).unwrap_err().contains("`-1`"));
+        assert!(column("colour", &FACES).unwrap_err().contains("boundary"));
     }
 }

@@ -13,9 +13,7 @@ pub(crate) struct Holds {
     /// Several vertices at one position.
     pub(crate) equal_positions: bool,
     /// Values at vertices, as numbers or as colours.
-    pub(crate) vertex_attributes: bool,
-    /// Values at faces.
-    pub(crate) face_attributes: bool,
+    pub(crate) attributes: bool,
 }
 
 /// In no face.
@@ -41,17 +39,14 @@ impl Holds {
         let plain = written(mesh(), format);
         let back = onering_io::read_as(&plain, format).unwrap_or_default();
         let count = |position: [f32; 3]| back.positions.iter().filter(|p| **p == position).count();
-        let values = |count| vec![0; count];
-        let (at_vertices, at_faces) = (values(POSITIONS.len()), values(FACES.len()));
-        let labels = |values| [Attribute { name: "label", values: Values::Labels(values) }];
-        let with_vertices = written(mesh().with_vertex_attributes(&labels(&at_vertices)), format);
-        let with_faces = written(mesh().with_face_attributes(&labels(&at_faces)), format);
+        let labels = [0; POSITIONS.len()];
+        let attributes = [Attribute { name: "label", values: Values::Labels(&labels) }];
+        let with_attributes = written(mesh().with_vertex_attributes(&attributes), format);
         Self {
             polygons: has_square(&back),
             isolated_vertices: count(APART) == 1,
             equal_positions: count([0.0; 3]) == 2,
-            vertex_attributes: with_vertices != plain,
-            face_attributes: with_faces != plain,
+            attributes: with_attributes != plain,
         }
     }
 }

@@ -47,7 +47,7 @@ fn convert(options: &args::Convert) -> Result<Summary, Failure> {
     let (mut mesh, format) = progress.step("reading", || read(options))?;
     let mut summary = Summary::of(options, &mesh, format, &target);
     let change = progress.step("mending", || Change::apply(options, &mut mesh))?;
-    let computed = progress.step("computing attributes", || attribute::compute(options, &mesh, &holds))?;
+    let computed = progress.step("computing attributes", || attribute::compute(options, &mesh))?;
     progress.step("writing", || write(&mesh, &computed, &target))?;
     summary.add_result(&mesh, &change, &holds);
     Ok(summary)
@@ -64,11 +64,7 @@ fn read(options: &args::Convert) -> Result<(Triangles, String), Failure> {
 }
 
 fn write(mesh: &Triangles, computed: &[Computed], target: &Target) -> Result<(), Failure> {
-    let at = |is_of_faces| {
-        let these = computed.iter().filter(move |one| one.is_of_faces == is_of_faces);
-        these.map(Computed::as_attribute).collect::<Vec<_>>()
-    };
-    let (vertices, faces) = (at(false), at(true));
-    let mesh = MeshRef::from(mesh).with_vertex_attributes(&vertices).with_face_attributes(&faces);
+    let attributes: Vec<_> = computed.iter().map(Computed::as_attribute).collect();
+    let mesh = MeshRef::from(mesh).with_vertex_attributes(&attributes);
     target.write(mesh)
 }
