@@ -16,7 +16,7 @@ use std::sync::LazyLock;
 fn defects_are_those_of_the_manifest() {
     for Real { name, mesh, figures } in &*MESHES {
         compare(name, &Defects::of(mesh.positions.len(), &mesh.faces), &figures["topology"]);
-        let welded = weld(&mesh.positions);
+        let welded = weld(&mesh.positions).unwrap();
         if figures["welded"].is_object() {
             let faces: Vec<_> =
                 mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();

@@ -1,11 +1,20 @@
 //! What can be said on the command line.
 
+mod compare;
+mod convert;
+mod formats;
+mod inspect;
+
+pub(crate) use compare::Compare;
+pub(crate) use convert::Convert;
+pub(crate) use inspect::Inspect;
+
 use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
+use clap_complete::Shell;
 use onering::registry::BACKENDS;
-use std::fs;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// One Topology trait, every triangle-mesh data structure.
 ///
@@ -20,74 +29,37 @@ struct Args {
 const EXIT_CODES: &str = "\
 Exit codes:
   0  all was done
-  1  some files could not be read, backends gave different answers, or output could not be written (a reader of a
-     pipe that stops early is no failure: 0)
+  1  some files could not be read, backends gave different answers, a mesh could not be made, or output could not
+     be written (a reader of a pipe that stops early is no failure: 0)
   2  wrong usage, or no file could be read";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Inspect(Inspect),
+    Convert(Convert),
     Compare(Compare),
+    Completions(Completions),
+    Man(Man),
 }
 
-/// Tell what is in mesh files: counts, defects, topology, size
+/// Print what has a shell complete the words of `onering`
 ///
-/// Figures are given for the mesh as loaded, and again with vertices at equal positions welded. Positions are
-/// 32-bit floats, each rounded once from the file; area and volume are summed in 64 bits.
+/// For bash: `onering completions bash > ~/.local/share/bash-completion/completions/onering`.
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXIT_CODES)]
-pub(crate) struct Inspect {
-    /// Mesh files: .obj, .gltf, .glb
-    #[arg(value_name = "FILE", required = true)]
-    pub(crate) files: Vec<PathBuf>,
-    /// Print one JSON object for each file, on a line of its own
-    #[arg(long)]
-    pub(crate) json: bool,
+pub(crate) struct Completions {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    pub(crate) shell: Shell,
 }
 
-/// Measure the data structures on meshes: memory, build time, queries
+/// Print the manual pages, of `onering` and of each command, one after the other
 ///
-/// Each backend is built from the same list of triangles. Where it cannot hold the mesh as it is, it gets the
-/// repaired one, and the report says so. All answers are checked against each other and against the plain
-/// list; a difference is an error.
+/// To read them: `onering man | man -l -`.
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXIT_CODES)]
-pub(crate) struct Compare {
-    /// Mesh files: .obj, .gltf, .glb; without any, three made on the spot, of 2,106 and twice over 80,000 triangles
-    #[arg(value_name = "FILE")]
-    pub(crate) files: Vec<PathBuf>,
-    /// Measure these backends only [default: all]
-    #[arg(long = "backend", value_name = "NAME", num_args = 1.., value_delimiter = ',', long_help = backend_help())]
-    pub(crate) backends: Vec<String>,
-    /// Write everything that was measured to this file as JSON; never over a mesh
-    #[arg(long, value_name = "FILE")]
-    pub(crate) json: Option<PathBuf>,
-    /// Choose the random vertices and faces
-    #[arg(long, value_name = "NUMBER", default_value_t = 2016)]
-    pub(crate) seed: u64,
-    /// Time to spend on each figure, of three runs at least after one to warm up; what is quadratic and takes over
-    /// eight times as long is run once, and everything is with 0
-    #[arg(long, value_name = "MILLISECONDS", default_value_t = 40)]
-    pub(crate) budget: u64,
-    /// Do what takes quadratic time on meshes up to this size: build without a hash table, answer without a structure
-    #[arg(long, value_name = "TRIANGLES", default_value_t = 6_000)]
-    pub(crate) quadratic_up_to: usize,
-}
-
-impl Default for Compare {
-    fn default() -> Self {
-        let args = Args::parse_from(["onering", "compare"]);
-        let Some(Command::Compare(compare)) = args.command else { unreachable!("it says `compare`") };
-        compare
-    }
-}
-
-impl Compare {
-    /// The backends asked for, as their places in the registry.
-    pub(crate) fn chosen(&self) -> Vec<usize> {
-        let asked = |name: &str| self.backends.is_empty() || self.backends.iter().any(|asked| asked == name);
-        (0..BACKENDS.len()).filter(|&i| asked(BACKENDS[i].name)).collect()
-    }
+pub(crate) struct Man {
+    /// Write them to this folder instead, a file each; it is made where there is none
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) out: Option<PathBuf>,
 }
 
 /// Reads the command line; `None` where help or the version was asked for, and is printed. Where the line is wrong,
@@ -99,74 +71,30 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Err(text) => return text.print().and_then(|()| io::stdout().flush()).map(|()| None),
         Ok(args) => args,
     };
-    Ok(Some(match args.command.unwrap_or_else(|| Command::Compare(Compare::default())) {
-        Command::Compare(mut compare) => {
-            give_back_files(&mut compare);
-            check_backends(&compare.backends);
-            check_json(&compare);
-            Command::Compare(compare)
-        }
-        command => command,
-    }))
-}
-
-/// In `--backend che-l1 che-l2 cow.obj`, the last word is a file: no backend has a dot or a slash in its name.
-fn give_back_files(compare: &mut Compare) {
-    let given = !compare.backends.is_empty();
-    let is_name = |word: &String| !word.contains(['.', '/', '\\']);
-    let (names, files): (Vec<_>, Vec<_>) =
-        std::mem::take(&mut compare.backends).into_iter().partition(is_name);
-    if given && names.is_empty() {
-        fail(&format!("--backend needs a name; {}", known()));
+    let mut command = args.command.unwrap_or_else(|| Command::Compare(Compare::default()));
+    match &mut command {
+        Command::Inspect(inspect) => inspect.check(),
+        Command::Convert(convert) => convert.check(),
+        Command::Compare(compare) => compare.check(),
+        Command::Completions(_) | Command::Man(_) => {}
     }
-    compare.backends = names;
-    compare.files.extend(files.into_iter().map(PathBuf::from));
+    Ok(Some(command))
 }
 
-fn check_backends(names: &[String]) {
-    let unknown = names.iter().find(|name| BACKENDS.iter().all(|backend| backend.name != name.as_str()));
-    if let Some(name) = unknown {
-        fail(&format!("no backend is named '{name}'; {}", known()));
-    }
+/// The whole command line, to be described.
+pub(crate) fn command() -> clap::Command {
+    Args::command()
 }
 
-/// How the names of meshes end, and of what they refer to.
-const MESHES: &[&str] = &[
-    "obj", "mtl", "gltf", "glb", "bin", "ply", "stl", "off", "3ds", "3mf", "dae", "fbx", "wrl", "x3d", "msh",
-    "vtk", "vtp", "tri", "ts", "usd", "usda", "usdc", "usdz",
-];
-
-/// A name that was meant as another mesh to read must not cost that mesh.
-fn check_json(compare: &Compare) {
-    let Some(json) = compare.json.as_deref() else { return };
-    // The same file by another name, or what a link leads to.
-    let real = |path: &Path| fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let target = real(json);
-    let reason = if compare.files.iter().any(|file| real(file) == target) {
-        "it is one of the meshes to read"
-    } else if has_name_of_mesh(json) || has_name_of_mesh(&target) {
-        "that is the name of a mesh"
-    } else {
-        return;
-    };
-    fail(&format!("--json does not write to '{}': {reason}", json.display()));
-}
-
-fn has_name_of_mesh(path: &Path) -> bool {
-    path.extension().is_some_and(|end| MESHES.iter().any(|mesh| end.eq_ignore_ascii_case(mesh)))
-}
-
+/// Says what is wrong with the command line, and ends the process with 2.
 fn fail(message: &str) -> ! {
-    Args::command().error(ErrorKind::InvalidValue, message).exit()
+    command().error(ErrorKind::InvalidValue, message).exit()
 }
 
-fn known() -> String {
+/// The names of all backends.
+fn known_backends() -> String {
     let names: Vec<&str> = BACKENDS.iter().map(|backend| backend.name).collect();
     format!("the backends are {}", names.join(", "))
-}
-
-fn backend_help() -> String {
-    format!("Measure these backends only; {} [default: all]", known())
 }
 
 #[cfg(test)]
@@ -175,16 +103,6 @@ mod tests {
 
     #[test]
     fn the_command_line_is_well_formed() {
-        Args::command().debug_assert();
-    }
-
-    #[test]
-    fn a_file_after_the_names_of_backends_is_a_file() {
-        let backends = ["che-l1", "che-l2", "./cow.obj"].map(String::from).into();
-        let mut compare = Compare { backends, ..Compare::default() };
-        give_back_files(&mut compare);
-        assert_eq!(compare.backends, ["che-l1", "che-l2"]);
-        assert_eq!(compare.files, [PathBuf::from("./cow.obj")]);
-        assert_eq!(compare.chosen().len(), 2);
+        command().debug_assert();
     }
 }

@@ -1,12 +1,17 @@
-//! onering at the shell: `inspect` tells what is in a mesh file, `compare` measures the data structures on it.
+//! onering at the shell: `inspect` tells what is in a mesh file, `convert` makes another one of it, `compare` measures
+//! the data structures on it.
 //! Thin over the library: what it prints, the crates `onering` and `onering-io` can be asked for.
 
 mod args;
 mod compare;
+mod convert;
 mod default_mesh;
 mod heap;
+mod input;
 mod inspect;
 mod output;
+mod progress;
+mod shell;
 
 use args::Command;
 use output::Status;
@@ -20,7 +25,10 @@ fn main() -> ExitCode {
     finish(args::read().and_then(|command| match command {
         None => Ok(Status::Done),
         Some(Command::Inspect(options)) => inspect::run(&options),
+        Some(Command::Convert(options)) => convert::run(&options),
         Some(Command::Compare(options)) => compare::run(&options),
+        Some(Command::Completions(options)) => shell::completions(&options),
+        Some(Command::Man(options)) => shell::man(&options),
     }))
 }
 

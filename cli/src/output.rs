@@ -38,6 +38,13 @@ pub(crate) fn complain(message: &str) {
     let _ = writeln!(io::stderr(), "onering: {line}");
 }
 
+/// Lines on standard error that are no complaint.
+pub(crate) fn tell(lines: &str) {
+    let text: String =
+        lines.chars().map(|c| if c.is_control() && c != '\n' { '\u{fffd}' } else { c }).collect();
+    let _ = io::stderr().write_all(text.as_bytes());
+}
+
 /// Writes to standard output at once, so that what is done is seen while the rest is under way.
 pub(crate) fn print(text: &str) -> io::Result<()> {
     let mut out = io::stdout().lock();

@@ -35,7 +35,7 @@ fn a_pyramid() {
             "bbox_min": [0.0, 0.0, 0.0], "bbox_max": [2.0, 2.0, 1.0],
             // The diagonal of the base goes from vertex 4 to 2.
             "degree_histogram": {"3": 2, "4": 3},
-            "verdict": "clean: every backend accepts it",
+            "verdict": "closed manifold",
             "welded": "same as topology (no two vertices share a position)",
         }),
     );
@@ -76,6 +76,9 @@ fn defects_and_what_was_left_out() {
             "max_faces_per_edge": 4, "closed": false, "manifold": false, "genus": null,
         }),
     );
+    // The copy runs along two more edges of its original, in the same direction.
+    let verdict = "needs repair: 1 degenerate face, 1 non-manifold edge, 2 inconsistent edges";
+    assert_eq!(found["verdict"], verdict);
     assert_eq!(found["notes"].as_array().unwrap().len(), 2);
 }
 
@@ -84,6 +87,9 @@ fn two_sheets_that_welding_joins() {
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 0 1 -0\nv 1 1 0\nf 1 2 3\nf 5 4 6\n";
     let found = inspect("sheets", "sheets.obj", text);
     check(&found["topology"], &json!({"components": 2, "edges": 6, "boundary_loops": 2}));
+    let verdict =
+        "open manifold: 6 boundary edges in 2 loops; welded: open manifold: 4 boundary edges in 1 loop";
+    assert_eq!(found["verdict"], verdict);
     check(&found["welded"], &json!({"vertices": 4, "components": 1, "edges": 5, "boundary_loops": 1}));
 }
 
@@ -92,7 +98,7 @@ fn a_mesh_of_nothing_and_a_mesh_without_place() {
     let found = inspect("nothing", "empty.obj", "# nothing\n");
     check(
         &found,
-        &json!({"vertices": 0, "triangles": 0, "bbox_min": null, "area": null, "degree_histogram": {}}),
+        &json!({"verdict": "no faces", "vertices": 0, "triangles": 0, "bbox_min": null, "area": null, "degree_histogram": {}}),
     );
     let found = inspect("nothing", "nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     check(
@@ -106,6 +112,8 @@ fn the_same_figures_in_words() {
     let path = scratch("words", "square.obj", SQUARE);
     let run = onering(["inspect".as_ref(), path.as_os_str()]);
     assert_eq!(run.code, Some(0));
+    let verdict = format!("{}: open manifold: 4 boundary edges in 1 loop", path.display());
+    assert_eq!(run.out.lines().next(), Some(&verdict[..]));
     for line in ["triangles                         2", "degree_histogram                  2: 2, 3: 2"] {
         assert!(run.out.lines().any(|found| found.trim() == line), "{}", run.out);
     }

@@ -1,5 +1,5 @@
 //! The real meshes, and what an independent program counted of each.
-use onering_io::{Error, Triangles};
+use onering_io::Triangles;
 use serde_json::Value;
 use std::sync::LazyLock;
 use std::{env, fs, path::PathBuf};
@@ -11,7 +11,7 @@ pub(crate) struct Real {
     pub(crate) figures: Value,
 }
 
-/// The meshes of the manifest in formats that are read; none, with a note, where the folder is missing.
+/// The meshes of the manifest; none, with a note, where the folder is missing.
 pub(crate) static MESHES: LazyLock<Vec<Real>> = LazyLock::new(|| folder().map_or(Vec::new(), load));
 
 /// `ONERING_MESHES`, else `shared/meshes` beside the repository. That it is missing is a failure with
@@ -33,13 +33,10 @@ fn load(folder: PathBuf) -> Vec<Real> {
     let manifest: Value = serde_json::from_str(&text).unwrap();
     let read = |entry: &Value| {
         let name = entry["file"].as_str().unwrap();
-        match onering_io::load(folder.join(name)) {
-            Ok(mesh) => Some(Real { name: name.into(), mesh, figures: entry["figures"].clone() }),
-            Err(Error::UnknownFormat { .. }) => None,
-            Err(error) => panic!("{error}"),
-        }
+        let mesh = onering_io::load(folder.join(name)).unwrap_or_else(|error| panic!("{error}"));
+        Real { name: name.into(), mesh, figures: entry["figures"].clone() }
     };
-    let meshes: Vec<Real> = manifest["files"].as_array().unwrap().iter().filter_map(read).collect();
-    assert!(meshes.len() >= 27, "only {} meshes are read", meshes.len());
+    let meshes: Vec<Real> = manifest["files"].as_array().unwrap().iter().map(read).collect();
+    assert!(meshes.len() >= 56, "only {} meshes", meshes.len());
     meshes
 }

@@ -1,9 +1,11 @@
 //! The figures of one file, under the names that the reports use.
 
-use super::{digest, geometry};
+use super::{digest, geometry, verdict};
+use crate::input;
+use onering::BuildError;
 use onering::defects::{Defects, Figure};
 use onering::repair::weld;
-use onering_io::{Error, Format, Skipped, Triangles, gltf};
+use onering_io::{Format, Options, Skipped, Triangles, gltf};
 use serde::ser::{Error as _, Serialize, SerializeMap, Serializer};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,6 +14,7 @@ use std::path::Path;
 #[derive(Debug, serde::Serialize)]
 pub(crate) struct Inspection {
     pub(crate) file: String,
+    pub(crate) verdict: String,
     pub(crate) format: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) primitives: Option<usize>,
@@ -38,7 +41,6 @@ pub(crate) struct Inspection {
     pub(crate) signed_volume: Option<f64>,
     /// How many vertices have so many edges.
     pub(crate) degree_histogram: BTreeMap<usize, usize>,
-    pub(crate) verdict: String,
     pub(crate) topology: Topology,
     pub(crate) welded: Welded,
     pub(crate) tri_sha256: String,
@@ -62,23 +64,29 @@ pub(crate) enum Welded {
 }
 
 impl Inspection {
-    pub(crate) fn of(path: &Path) -> Result<Self, Error> {
-        let bytes = onering_io::bytes_of(path)?;
-        let mesh = onering_io::read_at(&bytes, path)?;
-        let mut inspection = Self::of_mesh(&mesh)?;
-        inspection.file = super::name_of(path);
-        inspection.bytes = bytes.len();
-        inspection.sha256 = digest::of_bytes(&bytes);
-        if let Some(format) = Format::of(path, &bytes) {
-            inspection.format = format.to_string();
-        }
-        Ok(inspection)
+    /// Of a file, or of standard input, which is of this format where one is given.
+    pub(crate) fn of(path: &Path, format: Option<Format>) -> Result<Self, String> {
+        let format = format.filter(|_| input::is_standard(path));
+        let bytes = input::bytes_of(path)?;
+        let mesh = input::mesh_in(&bytes, path, format, Options::default())?;
+        let format = input::format_of(&bytes, path, format);
+        let (length, sha256) = (bytes.len(), digest::of_bytes(&bytes));
+        // What follows needs memory of its own.
+        drop(bytes);
+        Ok(Self {
+            file: input::name_of(path),
+            format: format.map(|format| format.to_string()).unwrap_or_default(),
+            bytes: length,
+            sha256,
+            ..Self::of_mesh(&mesh).map_err(|error| format!("{}: {error}", input::name_of(path)))?
+        })
     }
 
-    fn of_mesh(mesh: &Triangles) -> Result<Self, Error> {
+    fn of_mesh(mesh: &Triangles) -> Result<Self, BuildError> {
         let Triangles { positions, faces, .. } = mesh;
         let geometry = geometry::Geometry::of(positions, faces);
         let defects = Defects::of(positions.len(), faces);
+        let welded_defects = welded_defects(mesh)?;
         // A glTF file has 32-bit floats and no decimals: each is exactly the number that is there.
         let number = if mesh.gltf.is_some() { f64::from } else { shortest };
         let mut inspection = Self {
@@ -101,10 +109,10 @@ impl Inspection {
             bbox_max: geometry.map(|g| g.bbox_max.map(number)),
             area: geometry.map(|g| g.area),
             signed_volume: geometry.map(|g| g.signed_volume),
-            degree_histogram: degrees(positions.len(), faces),
-            verdict: defects.to_string(),
+            degree_histogram: defects.degrees.iter().collect(),
+            verdict: verdict::of(&defects, welded_defects.as_ref().map(|(_, defects)| defects)),
             topology: Topology::of(&defects, None),
-            welded: Welded::of(mesh)?,
+            welded: Welded::of(welded_defects.as_ref()),
             tri_sha256: digest::of_faces(faces),
             tri_canonical_sha256: digest::of_canonical(faces),
         };
@@ -144,35 +152,27 @@ impl Topology {
 }
 
 impl Welded {
-    fn of(mesh: &Triangles) -> Result<Self, Error> {
-        // No reader gives more vertices than can be numbered: what is left is memory.
-        let bytes = size_of_val(&mesh.positions[..]);
-        let welded = weld(&mesh.positions).map_err(|_| Error::OutOfMemory { path: None, bytes })?;
-        let vertices = welded.source.len();
-        if vertices == mesh.positions.len() {
-            return Ok(Self::Same("same as topology (no two vertices share a position)"));
+    fn of(welded: Option<&(usize, Defects)>) -> Self {
+        match welded {
+            None => Self::Same("same as topology (no two vertices share a position)"),
+            Some((vertices, defects)) => Self::Other(Topology::of(defects, Some(*vertices))),
         }
-        let faces: Vec<_> = mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();
-        Ok(Self::Other(Topology::of(&Defects::of(vertices, &faces), Some(vertices))))
     }
+}
+
+/// Vertices and defects once vertices at equal positions are one; `None` where no two are.
+fn welded_defects(mesh: &Triangles) -> Result<Option<(usize, Defects)>, BuildError> {
+    let welded = weld(&mesh.positions)?;
+    let vertices = welded.source.len();
+    if vertices == mesh.positions.len() {
+        return Ok(None);
+    }
+    let faces: Vec<_> = mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();
+    Ok(Some((vertices, Defects::of(vertices, &faces))))
 }
 
 fn buffers(of: &gltf::Origin) -> Vec<String> {
     of.buffers.iter().map(ToString::to_string).collect()
-}
-
-/// How many vertices have so many edges, of faces that name three vertices. Isolated vertices have none.
-fn degrees(vertex_count: usize, faces: &[[u32; 3]]) -> BTreeMap<usize, usize> {
-    let is_proper = |&&[a, b, c]: &&[u32; 3]| a != b && b != c && c != a;
-    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
-    let mut edges: Vec<[u32; 2]> = faces.iter().filter(is_proper).flat_map(sides).collect();
-    edges.sort_unstable();
-    edges.dedup();
-    let mut degrees = vec![0; vertex_count];
-    edges.as_flattened().iter().for_each(|&v| degrees[v as usize] += 1);
-    let mut histogram = BTreeMap::new();
-    degrees.iter().for_each(|&degree| *histogram.entry(degree).or_default() += 1);
-    histogram
 }
 
 /// A map in the order of the figures.
@@ -208,12 +208,5 @@ mod tests {
         let of = |mesh: &Triangles| Inspection::of_mesh(mesh).bbox_max;
         assert_eq!(of(&decimal), Some([4_891.904, 0.1, 0.0]));
         assert_eq!(of(&binary), Some([exact, f64::from(0.1_f32), 0.0]));
-    }
-
-    #[test]
-    fn degrees_count_edges_once_and_isolated_vertices() {
-        // Two triangles on an edge, one of them twice, a degenerate one, and a vertex in none.
-        let found = degrees(5, &[[0, 1, 2], [2, 1, 3], [3, 1, 2], [0, 0, 3]]);
-        assert_eq!(found, BTreeMap::from([(0, 1), (2, 2), (3, 2)]));
     }
 }

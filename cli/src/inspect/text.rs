@@ -4,9 +4,9 @@ use super::figures::{Inspection, Topology, Welded};
 use std::collections::BTreeMap;
 use std::fmt::{Display, Write};
 
-/// All that is said of a file, a figure a line.
+/// All that is said of a file: the verdict, then a figure a line.
 pub(crate) fn lines(of: &Inspection) -> String {
-    let mut text = format!("{}\n", of.file);
+    let mut text = format!("{}: {}\n", of.file, of.verdict);
     let mut line = |name: &str, value: &dyn Display| {
         let _ = writeln!(text, "  {name:<34}{value}");
     };
@@ -30,7 +30,6 @@ pub(crate) fn lines(of: &Inspection) -> String {
     line("tri_sha256", &of.tri_sha256);
     line("tri_canonical_sha256", &of.tri_canonical_sha256);
     of.notes.iter().for_each(|note| line("note", note));
-    line("verdict", &of.verdict);
     text + &table(of) + "\n"
 }
 

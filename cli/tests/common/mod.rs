@@ -1,10 +1,13 @@
 //! Runs the binary, and finds the real files.
 #![allow(dead_code, reason = "each test uses a part of it")]
 
+use onering_io::Format;
 use serde_json::Value;
 use std::ffi::OsStr;
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::thread;
 
 /// What a run of `onering` gave.
 #[derive(Debug)]
@@ -29,6 +32,36 @@ pub(crate) fn of(output: &Output) -> Run {
     run
 }
 
+/// As [`onering`], with these bytes on standard input.
+pub(crate) fn onering_with_input<S: AsRef<OsStr>>(
+    args: impl IntoIterator<Item = S>,
+    input: &[u8],
+) -> (Run, Vec<u8>) {
+    let mut command = command();
+    command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    // Written beside the reading: a pipe holds only so much. Who refuses its arguments reads nothing.
+    let output = thread::scope(|scope| {
+        scope.spawn(move || stdin.write_all(input));
+        child.wait_with_output().unwrap()
+    });
+    let out = output.stdout.clone();
+    (of(&Output { stdout: Vec::new(), ..output }), out)
+}
+
+/// The extension of every format that is written.
+pub(crate) fn written() -> impl Iterator<Item = &'static str> {
+    Format::all().filter(|format| format.is_written()).map(|format| format.extensions()[0])
+}
+
+/// What `inspect` says of a file.
+pub(crate) fn inspect(path: &Path) -> Value {
+    let run = onering(["inspect".as_ref(), "--json".as_ref(), path.as_os_str()]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    run.json_lines().remove(0)
+}
+
 impl Run {
     /// The JSON objects on standard output, one a line.
     pub(crate) fn json_lines(&self) -> Vec<Value> {
@@ -43,6 +76,13 @@ pub(crate) fn scratch(test: &str, name: &str, content: &str) -> PathBuf {
     let path = folder.join(name);
     std::fs::write(&path, content).unwrap();
     path
+}
+
+/// As [`scratch`], in a folder that has nothing else.
+pub(crate) fn fresh(test: &str, name: &str, content: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    let _ = std::fs::remove_dir_all(&folder);
+    scratch(test, name, content)
 }
 
 /// Two triangles on an edge.

@@ -1,0 +1,38 @@
+//! The names of formats, as words on the command line and in the help.
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use onering_io::Format;
+
+/// `.obj, .gltf, .glb`: how the names of files end that can be read.
+pub(super) fn read() -> String {
+    dotted(|_| true)
+}
+
+/// How the names of files end that can be written.
+pub(super) fn written() -> String {
+    dotted(Format::is_written)
+}
+
+/// A format that is read, as an argument.
+pub(super) fn parse_read() -> impl TypedValueParser<Value = Format> {
+    parser(|_| true)
+}
+
+/// A format that is written, as an argument.
+pub(super) fn parse_written() -> impl TypedValueParser<Value = Format> {
+    parser(Format::is_written)
+}
+
+fn names(which: fn(Format) -> bool) -> impl Iterator<Item = &'static str> {
+    Format::all().filter(move |format| which(*format)).flat_map(|format| format.extensions().iter().copied())
+}
+
+fn dotted(which: fn(Format) -> bool) -> String {
+    names(which).map(|name| format!(".{name}")).collect::<Vec<_>>().join(", ")
+}
+
+/// Only names of formats get past the first step, so that the second has one for each.
+fn parser(which: fn(Format) -> bool) -> impl TypedValueParser<Value = Format> {
+    let values = PossibleValuesParser::new(names(which).map(PossibleValue::new));
+    values.try_map(|name| Format::of_name(&name).ok_or("not the name of a format"))
+}

@@ -1,0 +1,62 @@
+//! Welding and mending, with the polygons that outlast it.
+
+use super::failure::Failure;
+use crate::args;
+use onering::repair::{RepairOptions, Repaired, repair, weld};
+use onering_io::Triangles;
+
+/// What was done to the mesh.
+#[derive(Debug, Default)]
+pub(crate) struct Change {
+    /// How many vertices were welded away, where that was asked for.
+    pub(crate) welded: Option<usize>,
+    /// What the repair did beside, in words, where that was asked for.
+    pub(crate) repaired: Option<String>,
+}
+
+impl Change {
+    /// Does what the options ask for.
+    pub(crate) fn apply(options: &args::Convert, mesh: &mut Triangles) -> Result<Self, Failure> {
+        let welded = options.weld.then(|| weld_vertices(mesh)).transpose()?;
+        let repaired = options.repair.then(|| mend(mesh)).transpose()?;
+        Ok(Self { welded, repaired })
+    }
+}
+
+/// How many vertices it took away.
+fn weld_vertices(mesh: &mut Triangles) -> Result<usize, Failure> {
+    let before = mesh.positions.len();
+    let welded = weld(&mesh.positions).map_err(|error| Failure::Output(format!("weld: {error}")))?;
+    mesh.positions = welded.source.iter().map(|&v| mesh.positions[v as usize]).collect();
+    mesh.faces.as_flattened_mut().iter_mut().for_each(|corner| *corner = welded.target[*corner as usize]);
+    Ok(before - mesh.positions.len())
+}
+
+/// What it did, in words.
+fn mend(mesh: &mut Triangles) -> Result<String, Failure> {
+    let mut repaired = repair(mesh.positions.len(), &mesh.faces, &RepairOptions::default())
+        .map_err(|error| Failure::Output(format!("repair: {error}")))?;
+    let steps = repaired.to_string();
+    mesh.polygon_starts = carry_polygons(mesh, &mut repaired);
+    mesh.positions = repaired.carry_vertices(&mesh.positions);
+    mesh.faces = repaired.faces;
+    Ok(steps)
+}
+
+/// The first new face of each polygon of which faces are left. The faces of a flipped polygon change their order, for
+/// only so are they a fan again: `abc acd` is flipped to `adc acb`, the polygon `adcb`.
+fn carry_polygons(mesh: &Triangles, repaired: &mut Repaired) -> Option<Vec<u32>> {
+    mesh.polygon_starts.as_ref()?;
+    let Repaired { face_source, faces, flipped, .. } = repaired;
+    let mut starts = Vec::new();
+    let mut start = 0;
+    for polygon in face_source.chunk_by(|&f, &g| mesh.polygon(f as usize) == mesh.polygon(g as usize)) {
+        let end = start + polygon.len();
+        if flipped.binary_search(&polygon[0]).is_ok() {
+            faces[start..end].reverse();
+        }
+        starts.push(start as u32);
+        start = end;
+    }
+    Some(starts)
+}

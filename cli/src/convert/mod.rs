@@ -1,0 +1,70 @@
+//! `onering convert`: reads a mesh, mends it, writes it, and says what became of it.
+
+mod attribute;
+mod change;
+mod failure;
+mod holds;
+pub(crate) mod ring;
+mod summary;
+mod target;
+
+pub(crate) use attribute::Attribute;
+
+use crate::output::{self, Status};
+use crate::progress::Progress;
+use crate::{args, input};
+use attribute::Computed;
+use change::Change;
+use failure::Failure;
+use holds::Holds;
+use onering_io::{MeshRef, Options, Triangles};
+use std::io;
+use summary::Summary;
+use target::Target;
+
+/// Reading, changing, attributes, writing.
+const STEPS: usize = 4;
+
+/// Converts one file.
+pub(crate) fn run(options: &args::Convert) -> io::Result<Status> {
+    match convert(options) {
+        Ok(summary) => {
+            if !options.quiet {
+                output::tell(&summary.to_string());
+            }
+            Ok(Status::Done)
+        }
+        Err(failure) => failure.end(),
+    }
+}
+
+/// All that can be known to fail before the work fails before the work.
+fn convert(options: &args::Convert) -> Result<Summary, Failure> {
+    let target = Target::of(options)?;
+    let holds = Holds::of(target.format());
+    attribute::check(&options.attributes, target.format(), &holds)?;
+    let progress = Progress::start(STEPS);
+    let (mut mesh, format) = progress.step("reading", || read(options))?;
+    let mut summary = Summary::of(options, &mesh, format, &target);
+    let change = progress.step("mending", || Change::apply(options, &mut mesh))?;
+    let computed = progress.step("computing attributes", || attribute::compute(options, &mesh))?;
+    progress.step("writing", || write(&mesh, &computed, &target))?;
+    summary.add_result(&mesh, &change, &holds);
+    Ok(summary)
+}
+
+fn read(options: &args::Convert) -> Result<(Triangles, String), Failure> {
+    let path = &options.input;
+    let mut how = Options::default();
+    how.weld_stl = !options.keep_corners;
+    let bytes = input::bytes_of(path).map_err(Failure::Input)?;
+    let mesh = input::mesh_in(&bytes, path, options.input_format(), how).map_err(Failure::Input)?;
+    let format = input::format_of(&bytes, path, options.input_format());
+    Ok((mesh, format.map_or("packed with gzip".into(), |format| format.to_string())))
+}
+
+fn write(mesh: &Triangles, computed: &[Computed], target: &Target) -> Result<(), Failure> {
+    let attributes: Vec<_> = computed.iter().map(Computed::as_attribute).collect();
+    let mesh = MeshRef::from(mesh).with_vertex_attributes(&attributes);
+    target.write(mesh)
+}

@@ -1,0 +1,80 @@
+//! Where the mesh goes, and in which format.
+
+use super::failure::Failure;
+use super::ring;
+use crate::{args, input};
+use onering_io::{Error, Format, MeshRef};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A file or standard output, in a format that is written.
+#[derive(Debug)]
+pub(crate) struct Target {
+    /// `None` for standard output.
+    path: Option<PathBuf>,
+    format: Format,
+}
+
+impl Target {
+    /// What the options ask for, as far as it can be written.
+    pub(crate) fn of(options: &args::Convert) -> Result<Self, Failure> {
+        let output = &options.output;
+        if ring::is_named(output) {
+            return Err(ring::refusal(output));
+        }
+        let path = (!input::is_standard(output)).then(|| output.clone());
+        let by_name = || path.as_deref().and_then(Format::of_extension);
+        let format = options.output_format().or_else(by_name).ok_or_else(|| unknown(output))?;
+        if !format.is_written() {
+            return Err(Failure::Usage(Error::ReadOnly { format, path }.to_string()));
+        }
+        path.as_deref().map_or(Ok(()), check_folder)?;
+        Ok(Self { path, format })
+    }
+
+    pub(crate) fn format(&self) -> Format {
+        self.format
+    }
+
+    /// What to call it.
+    pub(crate) fn name(&self) -> String {
+        self.path.as_ref().map_or("standard output".into(), |path| path.display().to_string())
+    }
+
+    pub(crate) fn write(&self, mesh: MeshRef<'_>) -> Result<(), Failure> {
+        let Self { path, format } = self;
+        match path {
+            Some(path) => {
+                onering_io::save_as(path, mesh, *format).map_err(|error| Failure::Output(error.to_string()))
+            }
+            None => {
+                onering_io::write(io::stdout().lock(), mesh, *format).map_err(Failure::of_standard_output)
+            }
+        }
+    }
+}
+
+fn unknown(output: &Path) -> Failure {
+    let names = Format::all().filter(|format| format.is_written()).flat_map(Format::extensions);
+    let names: Vec<String> = names.map(|name| format!(".{name}")).collect();
+    Failure::Usage(format!(
+        "{}: its name tells no format that is written; those are {}, or say --to",
+        output.display(),
+        names.join(", ")
+    ))
+}
+
+/// A name that cannot be written to is better known before the work than after it.
+fn check_folder(path: &Path) -> Result<(), Failure> {
+    let failure = |problem: String| Failure::Output(format!("{}: {problem}", path.display()));
+    if path.is_dir() {
+        return Err(failure("this is a directory".into()));
+    }
+    let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+    match fs::metadata(folder) {
+        Err(error) => Err(failure(format!("its folder: {error}"))),
+        Ok(about) if !about.is_dir() => Err(failure("its folder is none".into())),
+        Ok(_) => Ok(()),
+    }
+}
