@@ -1,8 +1,8 @@
 //! Welding and mending, with the polygons that outlast it.
 
 use super::failure::Failure;
-use crate::args;
-use onering::repair::{RepairOptions, Repaired, repair, weld};
+use crate::{args, input};
+use onering::repair::{RepairError, RepairOptions, Repaired, repair, weld};
 use onering_io::Triangles;
 
 /// What was done to the mesh.
@@ -18,7 +18,10 @@ impl Change {
     /// Does what the options ask for.
     pub(crate) fn apply(options: &args::Convert, mesh: &mut Triangles) -> Result<Self, Failure> {
         let welded = options.weld.then(|| weld_vertices(mesh));
-        let repaired = options.repair.then(|| mend(mesh)).transpose()?;
+        let repaired = options.repair.then(|| mend(mesh)).transpose();
+        let repaired = repaired.map_err(|error| {
+            Failure::Output(format!("{}: repair: {error}", input::name_of(&options.input)))
+        })?;
         Ok(Self { welded, repaired })
     }
 }
@@ -33,9 +36,8 @@ fn weld_vertices(mesh: &mut Triangles) -> usize {
 }
 
 /// What it did, in words.
-fn mend(mesh: &mut Triangles) -> Result<String, Failure> {
-    let mut repaired = repair(mesh.positions.len(), &mesh.faces, &RepairOptions::default())
-        .map_err(|error| Failure::Output(format!("repair: {error}")))?;
+fn mend(mesh: &mut Triangles) -> Result<String, RepairError> {
+    let mut repaired = repair(mesh.positions.len(), &mesh.faces, &RepairOptions::default())?;
     let steps = repaired.to_string();
     mesh.polygon_starts = carry_polygons(mesh, &mut repaired);
     mesh.positions = repaired.carry_vertices(&mesh.positions);
