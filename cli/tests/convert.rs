@@ -256,9 +256,26 @@ fn attributes_are_written_or_refused() {
                 assert_eq!(inspect(&out)["tri_sha256"], inspect(&plain)["tri_sha256"], "{format} {name}");
             } else {
                 assert_eq!((run.code, out.exists()), (Some(2), false), "{run:?}");
-                assert!(run.err.contains("has no place for the attribute"), "{run:?}");
+                assert!(run.err.contains("has no place for attributes"), "{run:?}");
             }
         }
+    }
+}
+
+/// The edges of a face that names a vertex twice are not defined.
+#[test]
+fn an_attribute_that_the_mesh_has_not_is_said_and_repair_helps() {
+    let start = fresh("undefined", "degenerate.obj", &format!("{SQUARE}f 1 1 2\n"));
+    for format in written() {
+        let out = start.with_file_name(format!("out.{format}"));
+        let run = convert(&start, &out, &["--attribute", "boundary"]);
+        if run.code == Some(2) {
+            continue; // No place for attributes.
+        }
+        assert_eq!((run.code, out.exists()), (Some(1), false), "{run:?}");
+        let line = format!("onering: {}: face 2 names vertex 0 twice", start.display());
+        assert!(run.err.starts_with(&line), "{run:?}");
+        converted(&start, &out, &["--attribute", "boundary", "--repair"]);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::holds::Holds;
-use crate::args;
+use crate::{args, input};
 use onering::k_ring::KRing;
 use onering::neighbours::Neighbours;
 use onering::{
@@ -112,21 +112,21 @@ impl Computed {
 
 /// Refuses attributes that the format would leave out.
 pub(crate) fn check(attributes: &[Attribute], format: Format, holds: &Holds) -> Result<(), Failure> {
-    let Some(attribute) = attributes.first().filter(|_| !holds.attributes) else { return Ok(()) };
+    if attributes.is_empty() || holds.attributes {
+        return Ok(());
+    }
     let able = Format::all().filter(|format| Holds::of(*format).attributes);
     let able: Vec<String> = able.map(|format| format.to_string()).collect();
     let able = if able.is_empty() { "no format that is written".into() } else { able.join(", ") };
-    Err(Failure::Usage(format!(
-        "{format} has no place for the attribute `{}`; {able} can hold it",
-        attribute.name()
-    )))
+    Err(Failure::Usage(format!("{format} has no place for attributes; {able} can hold them")))
 }
 
 /// All that was asked for, each once.
 pub(crate) fn compute(options: &args::Convert, mesh: &Triangles) -> Result<Vec<Computed>, Failure> {
     let asked = &options.attributes;
+    let failure = |error| Failure::Output(format!("{}: {error}", input::name_of(&options.input)));
     let once = asked.iter().enumerate().filter(|(i, attribute)| !asked[..*i].contains(attribute));
-    once.map(|(_, attribute)| attribute.compute(mesh).map_err(Failure::Output)).collect()
+    once.map(|(_, attribute)| attribute.compute(mesh).map_err(failure)).collect()
 }
 
 /// The structure that takes the most: all but faces that name a vertex twice.

@@ -1,9 +1,11 @@
 //! Welding and mending, with the polygons that outlast it.
 
 use super::failure::Failure;
-use crate::args;
-use onering::repair::{RepairOptions, Repaired, repair, weld};
+use crate::{args, input};
+use onering::BuildError;
+use onering::repair::{RepairError, RepairOptions, Repaired, repair, weld};
 use onering_io::Triangles;
+use std::fmt::Display;
 
 /// What was done to the mesh.
 #[derive(Debug, Default)]
@@ -17,25 +19,28 @@ pub(crate) struct Change {
 impl Change {
     /// Does what the options ask for.
     pub(crate) fn apply(options: &args::Convert, mesh: &mut Triangles) -> Result<Self, Failure> {
-        let welded = options.weld.then(|| weld_vertices(mesh)).transpose()?;
-        let repaired = options.repair.then(|| mend(mesh)).transpose()?;
+        let failed =
+            |error: &dyn Display| Failure::Output(format!("{}: {error}", input::name_of(&options.input)));
+        let welded = options.weld.then(|| weld_vertices(mesh)).transpose();
+        let welded = welded.map_err(|error| failed(&format_args!("weld: {error}")))?;
+        let repaired = options.repair.then(|| mend(mesh)).transpose();
+        let repaired = repaired.map_err(|error| failed(&format_args!("repair: {error}")))?;
         Ok(Self { welded, repaired })
     }
 }
 
 /// How many vertices it took away.
-fn weld_vertices(mesh: &mut Triangles) -> Result<usize, Failure> {
+fn weld_vertices(mesh: &mut Triangles) -> Result<usize, BuildError> {
     let before = mesh.positions.len();
-    let welded = weld(&mesh.positions).map_err(|error| Failure::Output(format!("weld: {error}")))?;
+    let welded = weld(&mesh.positions)?;
     mesh.positions = welded.source.iter().map(|&v| mesh.positions[v as usize]).collect();
     mesh.faces.as_flattened_mut().iter_mut().for_each(|corner| *corner = welded.target[*corner as usize]);
     Ok(before - mesh.positions.len())
 }
 
 /// What it did, in words.
-fn mend(mesh: &mut Triangles) -> Result<String, Failure> {
-    let mut repaired = repair(mesh.positions.len(), &mesh.faces, &RepairOptions::default())
-        .map_err(|error| Failure::Output(format!("repair: {error}")))?;
+fn mend(mesh: &mut Triangles) -> Result<String, RepairError> {
+    let mut repaired = repair(mesh.positions.len(), &mesh.faces, &RepairOptions::default())?;
     let steps = repaired.to_string();
     mesh.polygon_starts = carry_polygons(mesh, &mut repaired);
     mesh.positions = repaired.carry_vertices(&mesh.positions);

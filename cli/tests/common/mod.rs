@@ -78,11 +78,11 @@ pub(crate) fn scratch(test: &str, name: &str, content: &str) -> PathBuf {
     path
 }
 
-/// As [`scratch`], in a folder that has nothing else.
+/// As [`scratch`], in a folder that has nothing else, and that tests in other files do not share.
 pub(crate) fn fresh(test: &str, name: &str, content: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
-    let _ = std::fs::remove_dir_all(&folder);
-    scratch(test, name, content)
+    let test = format!("{}/{test}", env!("CARGO_CRATE_NAME"));
+    let _ = std::fs::remove_dir_all(Path::new(env!("CARGO_TARGET_TMPDIR")).join(&test));
+    scratch(&test, name, content)
 }
 
 /// Two triangles on an edge.
