@@ -63,7 +63,7 @@ fn unknown_lines_and_elements_are_noted() {
 fn bytes_behind_the_end_are_noted() {
     let mesh = read(faces(1, "3 0 1 2\n3 2\n"));
     assert_eq!((mesh.notes[0].what.clone(), mesh.notes[0].count), (Skipped::TrailingBytes, 3));
-    assert_eq!(mesh.notes[0].first, Place::Line(14));
+    assert_eq!(mesh.notes[0].first, Place::Line(15));
     let file = binary(VERTICES, &[point_bytes(), vec![0; 5]].concat());
     let mesh = read(&file);
     assert_eq!((mesh.notes[0].count, mesh.notes[0].first), (5, Place::Byte(file.len() - 5)));

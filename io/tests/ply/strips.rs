@@ -47,6 +47,6 @@ fn the_list_may_have_any_name_but_holds_integers() {
     let (place, reason) = refused(file.replace("3 0 1 2", "3 0 1 4"));
     assert_eq!(
         (place, reason.to_string().as_str()),
-        (Place::Line(13), "face names vertex 4, but there are 4")
+        (Place::Line(14), "face names vertex 4, but there are 4")
     );
 }
