@@ -40,7 +40,7 @@ pub(crate) fn begins_with_mark(bytes: &[u8]) -> bool {
     })
 }
 
-/// Reads the vertices and faces of a PLY file. Linear in its size; besides the result it takes at most 20 bytes for each
+/// Reads the vertices and faces of a PLY file. Linear in its size; besides the result it takes at most 40 bytes for each
 /// byte of the header. No count of the file is believed: memory is taken for what the bytes behind it can hold.
 ///
 /// # Errors

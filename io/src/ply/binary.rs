@@ -3,11 +3,14 @@
 use super::element::Element;
 use super::malformed;
 use super::role::Indices;
-use super::rows::{self, FloatRows, TriangleRows};
+use super::rows::{self, FaceRows, FloatRows};
 use super::scalar::{Integer, Scalar};
 use super::source::Source;
 use crate::polygons::Polygons;
 use crate::{Error, Item, Place, Reason};
+
+/// Polygons that are read one by one before the next ones are taken for triangles again.
+const POLYGONS: usize = 64;
 
 /// Numbers of the one byte order or the other.
 #[derive(Clone)]
@@ -138,9 +141,16 @@ impl<const BIG: bool> Source for Binary<'_, BIG> {
         vertices: u32,
         out: &mut Polygons,
     ) -> Result<usize, Error> {
-        let Some(layout) = TriangleRows::of(element, indices, vertices) else { return Ok(0) };
-        let count = layout.append::<BIG>(self.left(), rows, out)?;
+        let Some(layout) = FaceRows::of(element, indices, vertices) else { return Ok(0) };
+        let mut count = layout.triangles::<BIG>(self.left(), rows, out)?;
         self.at += count * layout.stride();
+        let end = rows.min(count + POLYGONS);
+        while count < end
+            && let Some(size) = layout.polygon::<BIG>(self.left(), out)?
+        {
+            self.at += size;
+            count += 1;
+        }
         Ok(count)
     }
 

@@ -78,8 +78,10 @@ impl<'a, S: Source> Body<'a, S> {
         let mut row = 0;
         while row < element.count {
             let (left, vertices) = (element.count - row, self.header.vertices);
-            row += self.source.faces(element, indices, left, vertices, &mut self.polygons)?;
-            let end = element.count.min(row + ONE_BY_ONE);
+            let at_once = self.source.faces(element, indices, left, vertices, &mut self.polygons)?;
+            row += at_once;
+            // After a run of rows there may be another; where there was none, not so soon.
+            let end = if at_once > 0 { row } else { element.count.min(row + ONE_BY_ONE) };
             while row < end {
                 self.face(element, indices, row)?;
                 row += 1;

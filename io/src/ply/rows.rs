@@ -19,7 +19,7 @@ pub(super) fn little_endian<const N: usize, const BIG: bool>(mut bytes: [u8; N])
 }
 
 /// Three numbers of 32 bits.
-// `map` and `from_fn` are calls here, not loops unrolled: they double the time of a file.
+// `map` and `from_fn` are calls here, not unrolled loops: they take twice the time.
 #[inline(always)]
 fn three<const BIG: bool>(bytes: &[u8; 12]) -> [u32; 3] {
     let word = |at| word::<BIG>(bytes, at);
@@ -66,8 +66,8 @@ impl FloatRows {
     }
 }
 
-/// Faces with one list, of `uchar` length and of indices of 32 bits, as long as they are triangles.
-pub(super) struct TriangleRows {
+/// Faces with one list, of `uchar` length and of indices of 32 bits.
+pub(super) struct FaceRows {
     /// Bytes before the list, and behind it.
     before: usize,
     after: usize,
@@ -75,7 +75,7 @@ pub(super) struct TriangleRows {
     limit: u32,
 }
 
-impl TriangleRows {
+impl FaceRows {
     pub(super) fn of(element: &Element<'_>, indices: Indices, vertices: u32) -> Option<Self> {
         let before = fixed_size(&element.properties[..indices.property])?;
         let after = fixed_size(&element.properties[indices.property + 1..])?;
@@ -93,7 +93,7 @@ impl TriangleRows {
     }
 
     /// Appends triangles up to the first row that is none, or names no vertex: at most `rows`. How many there were.
-    pub(super) fn append<const BIG: bool>(
+    pub(super) fn triangles<const BIG: bool>(
         &self,
         bytes: &[u8],
         rows: usize,
@@ -112,6 +112,33 @@ impl TriangleRows {
             }
         }
         Ok(count)
+    }
+
+    /// Appends the polygon of the first row: how many bytes the row has. `None` where it is to be looked at more closely:
+    /// it ends too early, has fewer than three corners, or names no vertex.
+    #[inline(always)]
+    pub(super) fn polygon<const BIG: bool>(
+        &self,
+        bytes: &[u8],
+        out: &mut Polygons,
+    ) -> Result<Option<usize>, Error> {
+        let Some((&size, rest)) = bytes.get(self.before..).and_then(<[u8]>::split_first) else {
+            return Ok(None);
+        };
+        let length = 4 * usize::from(size);
+        if size < 3 || rest.len() < length + self.after {
+            return Ok(None);
+        }
+        let (corners, _) = rest[..length].as_chunks::<4>();
+        if corners.iter().any(|corner| word::<BIG>(corner, 0) >= self.limit) {
+            return Ok(None);
+        }
+        let mut polygon = out.open();
+        for corner in corners {
+            out.corner(&mut polygon, word::<BIG>(corner, 0))?;
+        }
+        out.close(polygon)?;
+        Ok(Some(self.before + 1 + length + self.after))
     }
 
     #[inline(always)]
