@@ -93,7 +93,8 @@ impl Options {
 /// # Time and memory
 /// Linear in the bytes of the file and its buffers, whatever is in them; they are in memory as a whole while
 /// they are read. The result has at most 6 bytes for each byte of an OBJ file, and 48 for each byte of a glTF
-/// document and its files, or 800 kB: see [`gltf::read_beside`](crate::gltf::read_beside). While it is made, memory
+/// document and its files, or 800 kB: see [`gltf::read_beside`](crate::gltf::read_beside). The same limit holds for
+/// X3D and VRML, where nodes may share their points. While it is made, memory
 /// besides the file is at most 20 bytes for each byte of an OBJ file. For a glTF document it is at most 100 for each
 /// of its bytes and of its files, and 140 more for each byte of JSON; few files come near that. A gzip file counts
 /// as what is in it, which is at most 100 times as large, or 16 MiB.

@@ -29,8 +29,8 @@ pub(crate) type Name<'a> = Cow<'a, [u8]>;
 pub(crate) struct Scene<'a> {
     pub(crate) bytes: &'a [u8],
     format: Format,
-    /// The byte that begins a comment among numbers.
-    comment: Option<u8>,
+    /// Whether `#` begins a comment among numbers.
+    has_comments: bool,
     geometries: Vec<Geometry<'a>>,
     /// The points of each Coordinate node.
     points: Vec<Field>,
@@ -57,9 +57,9 @@ pub(crate) enum Coordinates<'a> {
 }
 
 impl<'a> Scene<'a> {
-    pub(crate) fn new(bytes: &'a [u8], format: Format, comment: Option<u8>) -> Self {
+    pub(crate) fn new(bytes: &'a [u8], format: Format, has_comments: bool) -> Self {
         let (geometries, points, notes) = (Vec::new(), Vec::new(), Vec::new());
-        Self { bytes, format, comment, geometries, points, names: HashMap::new(), notes }
+        Self { bytes, format, has_comments, geometries, points, names: HashMap::new(), notes }
     }
 
     /// A geometry node that begins at byte `at`: its number. Its fields may follow.

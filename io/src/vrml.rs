@@ -42,7 +42,7 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
     let bytes = without_byte_order_mark(bytes);
     let reader = Reader {
         tokens: Tokens::new(bytes),
-        scene: Scene::new(bytes, Format::Vrml, Some(b'#')),
+        scene: Scene::new(bytes, Format::Vrml, true),
         open: Vec::new(),
         name: None,
     };

@@ -6,8 +6,6 @@ pub(crate) struct Words<'a> {
     bytes: &'a [u8],
     at: usize,
     comment: Option<u8>,
-    /// A byte that is a blank as well; a space where there is none.
-    blank: u8,
     /// Where the word read last began.
     last: usize,
     /// A line that was asked for, and where it was: the next one is counted from there.
@@ -18,7 +16,7 @@ impl<'a> Words<'a> {
     /// At the first word of `bytes`, behind a byte order mark.
     pub(crate) fn new(bytes: &'a [u8], comment: Option<u8>) -> Self {
         let at = if bytes.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 };
-        Self { bytes, at, comment, blank: b' ', last: at, counted: (1, 0) }
+        Self { bytes, at, comment, last: at, counted: (1, 0) }
     }
 
     /// The same words from byte `at` on; lines are still counted from the beginning.
@@ -27,18 +25,12 @@ impl<'a> Words<'a> {
         self
     }
 
-    /// The same words, parted by commas as well.
-    pub(crate) fn with_commas(mut self) -> Self {
-        self.blank = b',';
-        self
-    }
-
     /// The next word.
     #[inline(always)]
     pub(crate) fn next(&mut self) -> Option<&'a [u8]> {
         self.skip_blanks();
         let rest = &self.bytes[self.at..];
-        let ends = |byte: &u8| self.is_blank(*byte) || Some(*byte) == self.comment;
+        let ends = |byte: &u8| is_blank(*byte) || Some(*byte) == self.comment;
         let length = rest.iter().position(ends).unwrap_or(rest.len());
         self.last = self.at;
         self.at += length;
@@ -83,7 +75,7 @@ impl<'a> Words<'a> {
     #[inline(always)]
     fn skip_blanks(&mut self) {
         while let Some(&byte) = self.bytes.get(self.at) {
-            if self.is_blank(byte) {
+            if is_blank(byte) {
                 self.at += 1;
             } else if Some(byte) == self.comment {
                 self.end_line();
@@ -92,11 +84,11 @@ impl<'a> Words<'a> {
             }
         }
     }
+}
 
-    #[inline(always)]
-    fn is_blank(&self, byte: u8) -> bool {
-        matches!(byte, b' ' | b'\t'..=b'\r') || byte == self.blank
-    }
+#[inline(always)]
+fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t'..=b'\r')
 }
 
 #[cfg(test)]
@@ -123,14 +115,6 @@ mod tests {
         assert_eq!(words.next(), Some(&b"d"[..]));
         assert_eq!(words.next_on_line(), None);
         assert_eq!(words.line(), 2);
-    }
-
-    #[test]
-    fn commas_may_part_words() {
-        let mut words = Words::new(b",a,, b,\n c", None).with_commas();
-        let all: Vec<_> = std::iter::from_fn(|| words.next()).collect();
-        assert_eq!(all, [b"a", b"b", b"c"]);
-        assert_eq!(Words::new(b"a,b", None).next(), Some(&b"a,b"[..]));
     }
 
     #[test]

@@ -48,7 +48,7 @@ pub(crate) fn looks_like_xml(bytes: &[u8]) -> bool {
 /// limit. [`Error::Unsupported`] for declarations of entities, encodings other than UTF-8, and deeper documents.
 pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
     let bytes = without_byte_order_mark(bytes);
-    let scene = Scene::new(bytes, Format::X3d, None);
+    let scene = Scene::new(bytes, Format::X3d, false);
     if [&b"\xFF\xFE"[..], b"\xFE\xFF", b"<\0", b"\0<"].iter().any(|start| bytes.starts_with(start)) {
         return Err(scene.unsupported(0, "UTF-16 or UTF-32".to_owned()));
     }

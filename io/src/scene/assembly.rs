@@ -10,8 +10,13 @@ use crate::{Error, Place, Reason, Skipped, Triangles, proportion};
 
 /// The mesh of all geometry nodes, in their order.
 pub(super) fn triangles(mut scene: Scene<'_>) -> Result<Triangles, Error> {
-    let geometries = std::mem::take(&mut scene.geometries);
-    let mut assembly = Assembly::new(&scene)?;
+    let mut geometries = std::mem::take(&mut scene.geometries);
+    for geometry in &mut geometries {
+        if let Some(Coordinates::Named(name, at)) = &geometry.coordinates {
+            geometry.coordinates = Some(Coordinates::Node(scene.named(name, *at)?));
+        }
+    }
+    let mut assembly = Assembly::new(&scene, &geometries)?;
     for geometry in &geometries {
         assembly.add(geometry)?;
     }
@@ -25,35 +30,46 @@ pub(super) fn triangles(mut scene: Scene<'_>) -> Result<Triangles, Error> {
 
 struct Assembly<'a> {
     scene: &'a Scene<'a>,
-    /// Where the points of each Coordinate node were put first, and how many they are.
-    read: Vec<Option<(usize, usize)>>,
+    points: Vec<Points>,
+    /// How many positions are still to come from points that were read.
+    promised: usize,
     positions: Vec<[f32; 3]>,
     polygons: Polygons,
     /// Kinds, how often, and the first byte.
     left_out: Vec<(Skipped, usize, usize)>,
 }
 
+/// The points of a Coordinate node.
+#[derive(Clone, Copy, Default)]
+struct Points {
+    /// How many geometry nodes have them.
+    uses: usize,
+    /// Where they were put first, and how many they are.
+    read: Option<(usize, usize)>,
+}
+
 impl<'a> Assembly<'a> {
-    fn new(scene: &'a Scene<'a>) -> Result<Self, Error> {
-        let mut read = Vec::new();
-        reserve(&mut read, scene.points.len())?;
-        read.resize(scene.points.len(), None);
+    fn new(scene: &'a Scene<'a>, geometries: &[Geometry<'_>]) -> Result<Self, Error> {
+        let mut points: Vec<Points> = Vec::new();
+        reserve(&mut points, scene.points.len())?;
+        points.resize(scene.points.len(), Points::default());
+        for geometry in geometries {
+            if let Some(Coordinates::Node(number)) = geometry.coordinates {
+                points[number].uses += 1;
+            }
+        }
         let (positions, polygons, left_out) = (Vec::new(), Polygons::default(), Vec::new());
-        Ok(Self { scene, read, positions, polygons, left_out })
+        Ok(Self { scene, points, promised: 0, positions, polygons, left_out })
     }
 
     /// Appends the points of a geometry node, all of them, and its faces.
     fn add(&mut self, geometry: &Geometry<'_>) -> Result<(), Error> {
-        let coordinates = match &geometry.coordinates {
-            Some(Coordinates::Node(number)) => *number,
-            Some(Coordinates::Named(name, at)) => self.scene.named(name, *at)?,
-            None => {
-                self.leave_out(Skipped::NoPositions, 1, geometry.at);
-                return Ok(());
-            }
+        let Some(Coordinates::Node(number)) = geometry.coordinates else {
+            self.leave_out(Skipped::NoPositions, 1, geometry.at);
+            return Ok(());
         };
         let base = self.positions.len();
-        self.add_points(coordinates)?;
+        self.add_points(number)?;
         let too_many = || Error::malformed(self.scene.format, Place::File, Reason::TooMany);
         let end = u32::try_from(self.positions.len()).map_err(|_| too_many())?;
         self.add_faces(geometry, base as u32, end - base as u32)?;
@@ -63,21 +79,25 @@ impl<'a> Assembly<'a> {
         if geometry.is_clockwise {
             self.leave_out(Skipped::Clockwise, 1, geometry.at);
         }
-        self.check_proportion(0)
+        self.check_proportion()
     }
 
     /// Appends the points of a Coordinate node. However often it is named, its numbers are read once.
     fn add_points(&mut self, number: usize) -> Result<(), Error> {
-        if let Some((first, count)) = self.read[number] {
-            self.check_proportion(count)?;
+        let Points { uses, read } = self.points[number];
+        if let Some((first, count)) = read {
+            self.promised -= count;
             reserve(&mut self.positions, count)?;
             self.positions.extend_from_within(first..first + count);
             return Ok(());
         }
         let first = self.positions.len();
         self.read_points(&self.scene.points[number])?;
-        self.read[number] = Some((first, self.positions.len() - first));
-        Ok(())
+        let count = self.positions.len() - first;
+        self.points[number].read = Some((first, count));
+        // Refused before the first of them is appended again.
+        self.promised = self.promised.saturating_add(count.saturating_mul(uses - 1));
+        self.check_proportion()
     }
 
     fn read_points(&mut self, field: &Field) -> Result<(), Error> {
@@ -114,9 +134,10 @@ impl<'a> Assembly<'a> {
         Ok(())
     }
 
-    /// Refuses a mesh out of all proportion to the file, if it had so many vertices more.
-    fn check_proportion(&self, more: usize) -> Result<(), Error> {
-        let elements = (self.positions.len() + self.polygons.faces().len() + more) as u64;
+    /// Refuses a mesh out of all proportion to the file.
+    fn check_proportion(&self) -> Result<(), Error> {
+        let read = self.positions.len() + self.polygons.faces().len();
+        let elements = read.saturating_add(self.promised) as u64;
         let check = proportion::check(elements, self.scene.bytes.len() as u64);
         check.map_err(|reason| Error::malformed(self.scene.format, Place::File, reason))
     }
