@@ -8,6 +8,7 @@
 //! | format | extensions | module |
 //! |---|---|---|
 //! | Wavefront OBJ | `.obj` | [`obj`] |
+//! | PLY | `.ply` | [`ply`] |
 //! | glTF 2.0 | `.gltf`, `.glb` | [`gltf`] |
 //!
 //! With the feature `tobj`, `obj_attributes` reads the texture coordinates, normals and materials of an OBJ
