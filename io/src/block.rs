@@ -29,6 +29,18 @@ impl<'a> Block<'a> {
         if self.bytes.len() < FULL { Ok(()) } else { self.empty() }
     }
 
+    /// All records, one after the other.
+    #[inline(always)]
+    pub(crate) fn put_all<const N: usize>(
+        &mut self,
+        mut records: impl Iterator<Item = [u8; N]>,
+    ) -> io::Result<()> {
+        records.try_for_each(|record| {
+            self.bytes.extend_from_slice(&record);
+            self.pass_on()
+        })
+    }
+
     /// Hands on the rest.
     pub(crate) fn finish(mut self) -> io::Result<()> {
         self.empty()

@@ -9,7 +9,7 @@ use crate::{Attribute, Error, Format, Place, Reason, Triangles};
 /// ```
 /// let (positions, faces) = ([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[0, 1, 2]]);
 /// let mut obj = Vec::new();
-/// onering_io::write(&mut obj, &onering_io::MeshRef::new(&positions, &faces), onering_io::Format::Obj)?;
+/// onering_io::write(&mut obj, onering_io::MeshRef::new(&positions, &faces), onering_io::Format::Obj)?;
 /// assert_eq!(onering_io::read(&obj)?.faces, faces);
 /// # Ok::<(), onering_io::Error>(())
 /// ```

@@ -50,10 +50,7 @@ fn write_as<E: Encoding>(mesh: &MeshRef<'_>, out: &mut dyn Write) -> io::Result<
         } else {
             E::uint(block.bytes(), corners.len() as u32);
         }
-        for corner in corners {
-            E::uint(block.bytes(), *corner);
-            block.pass_on()?;
-        }
+        corners.iter().for_each(|corner| E::uint(block.bytes(), *corner));
         properties.put::<E>(block.bytes(), f);
         block.pass_on()
     })?;

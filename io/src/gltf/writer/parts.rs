@@ -95,16 +95,14 @@ impl<'a> Parts<'a> {
 
     /// The least and the largest of each coordinate that is written: glTF demands them, and that they are finite.
     pub(super) fn bounds(&self, positions: &[[f32; 3]]) -> Result<[[f32; 3]; 2], (Place, Reason)> {
+        let written = || (0..self.vertex_count()).map(|i| self.source(false, i));
+        if let Some(bad) = written().find(|v| !positions[*v].iter().all(|x| x.is_finite())) {
+            return Err((Place::Vertex(bad), Reason::NotFinite { what: "position".into() }));
+        }
         let (mut min, mut max) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-        for i in 0..self.vertex_count() {
-            let v = self.source(false, i);
-            for (c, coordinate) in positions[v].into_iter().enumerate() {
-                if !coordinate.is_finite() {
-                    return Err((Place::Vertex(v), Reason::NotFinite { what: "position".into() }));
-                }
-                min[c] = min[c].min(coordinate);
-                max[c] = max[c].max(coordinate);
-            }
+        for position in written().map(|v| positions[v]) {
+            min = std::array::from_fn(|c| min[c].min(position[c]));
+            max = std::array::from_fn(|c| max[c].max(position[c]));
         }
         Ok([min, max])
     }
@@ -128,11 +126,10 @@ impl<'a> Parts<'a> {
             self.write_column(column, &mut block)?;
         }
         if self.has_indices() {
-            let short = self.index_type().1 == 2;
-            for corner in self.mesh.faces.as_flattened() {
-                let bytes = corner.to_le_bytes();
-                block.bytes().extend_from_slice(if short { &bytes[..2] } else { &bytes });
-                block.pass_on()?;
+            let faces = self.mesh.faces.iter();
+            match self.index_type().1 {
+                2 => block.put_all(faces.map(|face| short_bytes(*face)))?,
+                _ => block.put_all::<12>(faces.map(|face| bytes_of(face.map(u32::to_le_bytes))))?,
             }
         }
         let filling = self.bytes() - self.used_bytes();
@@ -143,23 +140,25 @@ impl<'a> Parts<'a> {
     fn write_column(&self, column: &Column<'_>, block: &mut Block<'_>) -> io::Result<()> {
         let sources = (0..self.vertex_count()).map(|i| self.source(column.of_faces, i));
         match &column.data {
-            Data::Positions(positions) => put_all(block, sources, |v| positions[v]),
+            Data::Positions(positions) => {
+                block.put_all::<12>(sources.map(|v| bytes_of(positions[v].map(f32::to_le_bytes))))
+            }
             Data::Colours(colours) => {
                 let linear = linear_table();
-                for i in sources {
+                block.put_all::<8>(sources.map(|i| {
                     let [r, g, b] = colours.at(i).map(|channel| linear[usize::from(channel)]);
-                    for channel in [r, g, b, u16::MAX] {
-                        block.bytes().extend_from_slice(&channel.to_le_bytes());
-                    }
-                    block.pass_on()?;
-                }
-                Ok(())
+                    bytes_of([r, g, b, u16::MAX].map(u16::to_le_bytes))
+                }))
             }
             Data::Values(Values::Flags(flags)) => {
-                put_all(block, sources, |i| [f32::from(u8::from(flags[i]))])
+                block.put_all(sources.map(|i| f32::from(u8::from(flags[i])).to_le_bytes()))
             }
-            Data::Values(Values::Labels(labels)) => put_all(block, sources, |i| [labels[i] as f32]),
-            Data::Values(Values::Scalars(scalars)) => put_all(block, sources, |i| [scalars[i]]),
+            Data::Values(Values::Labels(labels)) => {
+                block.put_all(sources.map(|i| (labels[i] as f32).to_le_bytes()))
+            }
+            Data::Values(Values::Scalars(scalars)) => {
+                block.put_all(sources.map(|i| scalars[i].to_le_bytes()))
+            }
         }
     }
 }
@@ -175,14 +174,15 @@ impl Data<'_> {
     }
 }
 
-fn put_all<const N: usize>(
-    block: &mut Block<'_>,
-    sources: impl Iterator<Item = usize>,
-    numbers: impl Fn(usize) -> [f32; N],
-) -> io::Result<()> {
-    for i in sources {
-        numbers(i).iter().for_each(|number| block.bytes().extend_from_slice(&number.to_le_bytes()));
-        block.pass_on()?;
-    }
-    Ok(())
+/// The bytes of all numbers; M is N times K.
+#[inline(always)]
+fn bytes_of<const K: usize, const N: usize, const M: usize>(numbers: [[u8; K]; N]) -> [u8; M] {
+    let bytes = numbers.as_flattened();
+    std::array::from_fn(|i| bytes[i])
+}
+
+/// The corners in 16 bits, which they fit in.
+#[inline(always)]
+fn short_bytes(face: [u32; 3]) -> [u8; 6] {
+    bytes_of(face.map(|corner| (corner as u16).to_le_bytes()))
 }
