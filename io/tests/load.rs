@@ -49,7 +49,8 @@ fn other_formats_are_refused_with_the_list_of_those_that_are_read() {
     let path = folder.file("a.step", b"ISO-10303-21;");
     let error = load(&path).unwrap_err();
     assert!(matches!(&error, Error::UnknownFormat { path: Some(p) } if *p == path));
-    let expected = format!("{}: not a known mesh format; supported are .glb, .gltf, .obj", path.display());
+    let expected =
+        format!("{}: not a known mesh format; supported are .glb, .stl, .gltf, .off, .obj", path.display());
     assert_eq!(error.to_string(), expected);
 }
 

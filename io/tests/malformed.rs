@@ -1,4 +1,4 @@
-//! Broken and hostile OBJ and glTF files end as their manifest asks.
+//! Broken and hostile OBJ, glTF, STL and OFF files end as their manifest asks.
 
 mod common;
 
@@ -8,7 +8,8 @@ use serde_json::Value;
 #[test]
 fn broken_files_end_as_their_manifest_asks() {
     let Some((folder, entries)) = common::malformed() else { return };
-    let read = entries.iter().filter(|entry| ["obj", "gltf"].contains(&entry["format"].as_str().unwrap()));
+    let formats = ["obj", "gltf", "stl", "off"];
+    let read = entries.iter().filter(|entry| formats.contains(&entry["format"].as_str().unwrap()));
     for entry in read {
         let (name, path) = common::path_of(&folder, entry);
         let result = load(&path);
@@ -48,6 +49,14 @@ fn errors_name_the_line_or_the_element() {
         ("gltf/draco_required.glb", "needs KHR_draco_mesh_compression"),
         ("gltf/missing_bin.gltf", "BoxTextured0.bin: "),
         ("gltf/uri_path_traversal.gltf", "etc/passwd` is not opened: it climbs out of the folder"),
+        ("stl/truncated_binary.stl", ": 12 triangles are declared, but only 5 are there"),
+        ("stl/huge_count.stl", ": 4294967295 triangles are declared, but only 1 are there"),
+        ("stl/ascii_truncated.stl", ":83: the file ends inside a loop"),
+        ("stl/short_83.stl", ": this is not an STL file"),
+        ("off/index_out_of_range.off", ":6: face names vertex 3, but there are 3"),
+        ("off/negative_count.off", ":2: `-3` is not a count"),
+        ("off/face_of_1e9.off", ": 1000000000 corners are declared, but only 3 are there"),
+        ("off/assimp_out_of_memory.off", ":2: the file needs 2121211412180 bytes, but there are 309"),
         ("gltf/khr_invalid_version.glb", "version \"0\" is not supported"),
     ] {
         let text = load(folder.join(name)).unwrap_err().to_string();

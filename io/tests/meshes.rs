@@ -1,4 +1,4 @@
-//! Every real OBJ and glTF file gives the figures of the manifest, which come from an independent reader.
+//! Every real OBJ, glTF, STL and OFF file gives the figures of the manifest, which come from an independent reader.
 
 mod common;
 
@@ -18,11 +18,11 @@ fn real_files_give_the_figures_of_the_manifest() {
         check(&name, &mesh, &entry["figures"]);
         read += 1;
     }
-    assert!(read >= 26, "only {read} files of formats that are read");
+    assert!(read >= 40, "only {read} files of formats that are read");
 }
 
 fn is_read(entry: &Value) -> bool {
-    ["OBJ", "glTF", "GLB"].contains(&entry["format"].as_str().unwrap())
+    ["OBJ", "glTF", "GLB", "STL ascii", "STL binary", "OFF"].contains(&entry["format"].as_str().unwrap())
 }
 
 fn check(name: &str, mesh: &Triangles, figures: &Value) {
