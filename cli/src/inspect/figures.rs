@@ -205,7 +205,7 @@ mod tests {
         let positions = vec![[exact as f32, 0.1, -0.0]];
         let decimal = Triangles { positions, ..Triangles::default() };
         let binary = Triangles { gltf: Some(gltf::Origin::default()), ..decimal.clone() };
-        let of = |mesh: &Triangles| Inspection::of_mesh(mesh).bbox_max;
+        let of = |mesh: &Triangles| Inspection::of_mesh(mesh).unwrap().bbox_max;
         assert_eq!(of(&decimal), Some([4_891.904, 0.1, 0.0]));
         assert_eq!(of(&binary), Some([exact, f64::from(0.1_f32), 0.0]));
     }
