@@ -87,6 +87,29 @@ fn broken_obj() {
     survive("OBJ", text.as_bytes(), Format::Obj);
 }
 
+#[test]
+fn broken_ascii_stl() {
+    let loops = "outer loop\nvertex 0 0 0\nvertex 1.5 -2e3 .5\nvertex nan 1 0\nendloop\nendfacet\n";
+    let text =
+        format!("solid a b\nfacet normal 0 0 1\n{loops}facet normal -nan(ind) 0 0\r\n{loops}endsolid a b\n");
+    survive("ASCII STL", text.as_bytes(), Format::Stl);
+}
+
+#[test]
+fn broken_binary_stl() {
+    let mut file = vec![b' '; 80];
+    file.extend(3u32.to_le_bytes());
+    file.extend([7; 150]);
+    survive("binary STL", &file, Format::Stl);
+}
+
+#[test]
+fn broken_off() {
+    let text = "# a\nCOFF\n4 3 0\n0 0 0 1 1 1 1\n1 0 0 # b\n\n1 1 0\r\n0 1e3 -.5\n3 0 1 2 255 0 0\n4 0 1 2 3\n2 0 1\n";
+    survive("OFF", text.as_bytes(), Format::Off);
+    survive("plain OFF", text.replace('C', "").replace(" 1 1 1 1", "").as_bytes(), Format::Off);
+}
+
 /// A strip, a sparse list and a fan, on 4 positions, 6 indices of 16 bits and 1 replaced position.
 fn members(buffer: &str) -> String {
     format!(

@@ -5,7 +5,7 @@ use crate::{BuildError, memory};
 use alloc::vec::Vec;
 
 /// Vertices that are looked up together: the table is asked for all of them first, so that their cache misses
-/// overlap. Measured on 12.6 million corners in shuffled order: 1.4 times as fast as one after the other.
+/// overlap.
 const BLOCK: usize = 32;
 
 /// Steps along the table, beyond the first, that each vertex may cost on average. A good hash needs one or two.
@@ -22,12 +22,15 @@ pub(super) fn weld(
         let mut seen = [(0, 0); BLOCK];
         for (i, seen) in seen[..targets.len()].iter_mut().enumerate() {
             let hash = hash(key(position(start + i)));
-            *seen = (hash, table.slots[table.home(hash)]);
+            *seen = (hash, table.first_slot(hash));
         }
         for (i, target) in targets.iter_mut().enumerate() {
             let (hash, slot) = seen[i];
             let (v, position) = (start + i, position(start + i));
-            *target = match table.vertex_at(slot, hash, position) {
+            // It may have become known since.
+            let known = table.vertex_at(slot, hash, position);
+            let known = known.or_else(|| table.vertex_at(table.first_slot(hash), hash, position));
+            *target = match known {
                 Some(vertex) => vertex,
                 None if is_nowhere(position) => table.distinct.push(v, position)?,
                 None => match table.find_or_insert(hash, v, position)? {
@@ -35,6 +38,7 @@ pub(super) fn weld(
                     None => return Ok(None),
                 },
             };
+            table.remember(hash, *target);
         }
     }
     Ok(Some(table.distinct))
@@ -47,21 +51,27 @@ struct Table {
     bits: u32,
     /// Slots in use.
     used: usize,
+    /// Slots that were met last, by the end of their hash. Neighbours in space are often neighbours in a list: five of
+    /// six corners are found here then, near the processor.
+    recent: Vec<u64>,
     steps_left: usize,
     distinct: Distinct,
 }
+
+const RECENT: usize = 8192;
 
 /// A table of more slots is not made.
 const MAX_BITS: u32 = 31;
 
 impl Table {
     fn new(vertices: usize) -> Result<Self, BuildError> {
-        // A closed surface has one vertex for six corners; half of the slots stay empty.
-        let bits = (vertices / 3).max(64).next_power_of_two().ilog2().min(MAX_BITS);
+        // A closed surface has one vertex for six corners.
+        let bits = (vertices / 6).max(64).next_power_of_two().ilog2().min(MAX_BITS);
         Ok(Self {
             slots: memory::filled(1 << bits, 0)?,
             bits,
             used: 0,
+            recent: memory::filled(RECENT, 0)?,
             steps_left: vertices.saturating_mul(STEPS),
             distinct: Distinct::default(),
         })
@@ -72,12 +82,24 @@ impl Table {
         (hash >> (32 - self.bits)) as usize
     }
 
+    /// Where the search for a vertex of this hash begins.
+    #[inline(always)]
+    fn first_slot(&self, hash: u32) -> u64 {
+        let recent = self.recent[hash as usize % RECENT];
+        if (recent >> 32) as u32 == hash { recent } else { self.slots[self.home(hash)] }
+    }
+
     /// The vertex of a slot, if it is at this position.
     #[inline(always)]
     fn vertex_at(&self, slot: u64, hash: u32, position: [f32; 3]) -> Option<u32> {
         let vertex = (slot as u32).wrapping_sub(1);
         ((slot >> 32) as u32 == hash && self.distinct.positions.get(vertex as usize) == Some(&position))
             .then_some(vertex)
+    }
+
+    #[inline(always)]
+    fn remember(&mut self, hash: u32, vertex: u32) {
+        self.recent[hash as usize % RECENT] = slot_of(hash, vertex);
     }
 
     /// The vertex at this position, a new one if there is none. `None` where it took too many steps.
@@ -97,7 +119,7 @@ impl Table {
             at = (at + 1) & (self.slots.len() - 1);
         }
         let vertex = self.distinct.push(v, position)?;
-        self.slots[at] = u64::from(hash) << 32 | (u64::from(vertex) + 1);
+        self.slots[at] = slot_of(hash, vertex);
         self.used += 1;
         Ok(Some(vertex))
     }
@@ -119,6 +141,11 @@ impl Table {
         }
         Ok(true)
     }
+}
+
+#[inline(always)]
+fn slot_of(hash: u32, vertex: u32) -> u64 {
+    u64::from(hash) << 32 | (u64::from(vertex) + 1)
 }
 
 /// Coordinates differ in few bits, often the higher ones: two multiplications bring them all to the first bits.
