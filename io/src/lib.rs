@@ -30,6 +30,7 @@
 
 mod attribute;
 mod beside;
+mod decimal;
 mod error;
 mod format;
 pub mod gltf;
