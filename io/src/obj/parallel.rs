@@ -25,7 +25,8 @@ pub(super) fn read(bytes: &[u8]) -> Option<Triangles> {
     if threads < 2 || bytes.len() < 2 * PART {
         return None;
     }
-    read_parts(bytes, PART, SHARE * threads)
+    // Within the pool a round begins without waking a thread for it first.
+    rayon::scope(|_| read_parts(bytes, PART, SHARE * threads))
 }
 
 fn read_parts(bytes: &[u8], size: usize, round: usize) -> Option<Triangles> {
@@ -79,7 +80,7 @@ impl<'a> Reader<'a> {
             before.push(u32::try_from(vertices).ok()?);
             vertices += part.positions.len();
         }
-        let mut pairs = parts.par_iter_mut().zip(before);
+        let pairs = parts.par_iter_mut().zip(before);
         if !pairs.all(|(part, before)| settle(part.polygons.corners_mut(), before)) {
             return None;
         }
