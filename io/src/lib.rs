@@ -39,6 +39,7 @@ mod attribute;
 mod beside;
 mod block;
 mod colour;
+mod decimal;
 mod error;
 mod format;
 pub mod gltf;

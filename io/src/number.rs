@@ -66,9 +66,9 @@ pub(crate) fn f32_prefix(bytes: &[u8]) -> Option<(f32, &[u8])> {
 #[inline(always)]
 fn digits_by_eight(number: u64, bytes: &[u8]) -> Option<(u64, usize, &[u8])> {
     const TENS: [u64; 9] = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
-    let values = u64::from_le_bytes(*bytes.first_chunk()?) ^ EACH * u64::from(b'0');
+    let values = u64::from_le_bytes(*bytes.first_chunk()?) ^ (EACH * u64::from(b'0'));
     // Adding 0x76 sets the top bit of a byte from ten on; what is carried reaches bytes behind it only.
-    let others = (values.wrapping_add(EACH * 0x76) | values) & EACH * 0x80;
+    let others = (values.wrapping_add(EACH * 0x76) | values) & (EACH * 0x80);
     let count = others.trailing_zeros() as usize / 8;
     let rest = &bytes[count..];
     if count == 8 {

@@ -58,12 +58,13 @@ impl Numbering {
 /// that are counted back names none of them.
 #[cfg(feature = "parallel")]
 pub(super) fn settle<'a>(corners: impl Iterator<Item = &'a mut u32>, before: u32) -> bool {
+    let least = SUPPOSED - before.min(SUPPOSED);
     let mut exist = true;
     for corner in corners {
-        if *corner >= SUPPOSED / 2 {
-            exist &= SUPPOSED - before.min(SUPPOSED) <= *corner;
-            *corner = corner.wrapping_add(before).wrapping_sub(SUPPOSED);
-        }
+        let is_back = *corner >= SUPPOSED / 2;
+        exist &= !is_back || *corner >= least;
+        // Each is written, whether it changes or not: so the compiler does several at once.
+        *corner = if is_back { corner.wrapping_add(before).wrapping_sub(SUPPOSED) } else { *corner };
     }
     exist
 }

@@ -25,7 +25,8 @@ pub(super) fn read(bytes: &[u8]) -> Option<Triangles> {
     if threads < 2 || bytes.len() < 2 * PART {
         return None;
     }
-    read_parts(bytes, PART, SHARE * threads)
+    // Within the pool a round begins without waking a thread for it first.
+    rayon::scope(|_| read_parts(bytes, PART, SHARE * threads))
 }
 
 fn read_parts(bytes: &[u8], size: usize, round: usize) -> Option<Triangles> {

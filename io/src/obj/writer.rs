@@ -3,16 +3,35 @@
 use std::io::{self, Write};
 
 use crate::MeshRef;
+use crate::decimal::{f32_into, u64_into};
+
+/// Corners that are put together before they are written.
+const CORNERS: usize = 1024;
 
 /// Attributes are left out: OBJ has no place for them.
 pub(crate) fn write(mesh: &MeshRef<'_>, out: &mut dyn Write) -> io::Result<()> {
-    for [x, y, z] in mesh.positions {
-        // As short as it can be for the same bits to be read: `0.1`, `1e-12`.
-        writeln!(out, "v {x:?} {y:?} {z:?}")?;
+    let mut text = Vec::new();
+    for position in mesh.positions {
+        text.clear();
+        text.push(b'v');
+        for coordinate in position {
+            text.push(b' ');
+            f32_into(&mut text, *coordinate);
+        }
+        text.push(b'\n');
+        out.write_all(&text)?;
     }
     mesh.each_polygon(|corners, _| {
-        out.write_all(b"f")?;
-        corners.iter().try_for_each(|corner| write!(out, " {}", u64::from(*corner) + 1))?;
+        text.clear();
+        text.push(b'f');
+        for corners in corners.chunks(CORNERS) {
+            for corner in corners {
+                text.push(b' ');
+                u64_into(&mut text, u64::from(*corner) + 1);
+            }
+            out.write_all(&text)?;
+            text.clear();
+        }
         out.write_all(b"\n")
     })
 }
