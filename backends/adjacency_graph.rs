@@ -1,6 +1,7 @@
 //! [`AdjacencyGraph`]: the neighbours of each vertex in one run of memory, beside faces and opposites.
 use crate::DirectedEdgesSmall;
-use alloc::{borrow::Cow, boxed::Box, vec::Vec};
+use crate::storage::{Owned, Storage};
+use alloc::{borrow::Cow, vec::Vec};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
 use onering_core::{
@@ -19,23 +20,23 @@ use onering_core::{
 /// asked of them is their target, which that row stores; and it holds edges of three or more faces, faces that
 /// disagree in orientation and vertices of several fans. Degenerate faces are refused.
 #[derive(Clone)]
-pub struct AdjacencyGraph {
-    table: DirectedEdgesSmall,
+pub struct AdjacencyGraph<S: Storage = Owned> {
+    table: DirectedEdgesSmall<S>,
     /// Where each list starts, and the end of the last.
-    offsets: Box<[u32]>,
-    neighbours: Box<[VertexId]>,
+    offsets: S::Slice<u32>,
+    neighbours: S::Slice<VertexId>,
     /// Whether some vertex has several fans: asked before the table is, whose links are elsewhere in memory.
     has_several: bool,
 }
 
-impl AdjacencyGraph {
+impl<S: Storage> AdjacencyGraph<S> {
     #[inline(always)]
     fn list(&self, v: VertexId) -> &[VertexId] {
         &self.neighbours[self.offsets[v.index()] as usize..self.offsets[v.index() + 1] as usize]
     }
 }
 
-impl fmt::Debug for AdjacencyGraph {
+impl<S: Storage> fmt::Debug for AdjacencyGraph<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (vertices, faces) = (self.vertex_count(), self.face_count());
         write!(f, "AdjacencyGraph {{ vertices: {vertices}, faces: {faces} }}")
@@ -43,7 +44,7 @@ impl fmt::Debug for AdjacencyGraph {
 }
 
 #[inline]
-fn has_several_fans(table: &DirectedEdgesSmall, v: VertexId) -> bool {
+fn has_several_fans<S: Storage>(table: &DirectedEdgesSmall<S>, v: VertexId) -> bool {
     table.fans(v).nth(1).is_some()
 }
 
@@ -100,7 +101,7 @@ impl Footprint for AdjacencyGraph {
     }
 }
 
-impl Topology for AdjacencyGraph {
+impl<S: Storage> Topology for AdjacencyGraph<S> {
     type Vertex = VertexId;
     type HalfEdge = HalfEdgeId;
     type Face = FaceId;
@@ -126,7 +127,7 @@ impl Topology for AdjacencyGraph {
     }
 }
 
-impl Adjacency for AdjacencyGraph {
+impl<S: Storage> Adjacency for AdjacencyGraph<S> {
     #[inline(always)]
     fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
         self.table.opposite(h)
@@ -143,7 +144,7 @@ impl Adjacency for AdjacencyGraph {
     }
 }
 
-impl Incidence for AdjacencyGraph {
+impl<S: Storage> Incidence for AdjacencyGraph<S> {
     #[inline(always)]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         self.table.outgoing(v)

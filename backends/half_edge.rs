@@ -1,6 +1,8 @@
 //! [`HalfEdgeMesh`]: the half-edge structure, with everything stored.
 use crate::build::{self, Links};
-use alloc::{borrow::Cow, boxed::Box};
+use crate::storage::{Owned, Storage};
+use alloc::borrow::Cow;
+use bytemuck::{Pod, Zeroable};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
 use onering_core::{
@@ -9,7 +11,8 @@ use onering_core::{
 };
 
 /// What a half-edge knows. One record, so that a step reads one cache line.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
 struct Record {
     vertex: VertexId,
     next: HalfEdgeId,
@@ -27,19 +30,19 @@ const _: () = assert!(size_of::<Record>() == 20);
 /// reference of their own. Degenerate faces, edges of three or more faces, faces that disagree in orientation
 /// and vertices of several fans are refused. Up to 2^32 - 2 half-edges.
 #[derive(Clone)]
-pub struct HalfEdgeMesh {
-    records: Box<[Record]>,
-    outgoing: Box<[Slot<HalfEdgeId>]>,
+pub struct HalfEdgeMesh<S: Storage = Owned> {
+    records: S::Slice<Record>,
+    outgoing: S::Slice<Slot<HalfEdgeId>>,
 }
 
-impl HalfEdgeMesh {
+impl<S: Storage> HalfEdgeMesh<S> {
     #[inline(always)]
     fn record(&self, h: HalfEdgeId) -> &Record {
         &self.records[h.index()]
     }
 }
 
-impl fmt::Debug for HalfEdgeMesh {
+impl<S: Storage> fmt::Debug for HalfEdgeMesh<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (vertices, faces) = (self.vertex_count(), self.face_count());
         write!(f, "HalfEdgeMesh {{ vertices: {vertices}, faces: {faces} }}")
@@ -68,7 +71,7 @@ impl Footprint for HalfEdgeMesh {
     }
 }
 
-impl Topology for HalfEdgeMesh {
+impl<S: Storage> Topology for HalfEdgeMesh<S> {
     type Vertex = VertexId;
     type HalfEdge = HalfEdgeId;
     type Face = FaceId;
@@ -104,14 +107,14 @@ impl Topology for HalfEdgeMesh {
     }
 }
 
-impl Adjacency for HalfEdgeMesh {
+impl<S: Storage> Adjacency for HalfEdgeMesh<S> {
     #[inline(always)]
     fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
         self.record(h).opposite.get()
     }
 }
 
-impl Incidence for HalfEdgeMesh {
+impl<S: Storage> Incidence for HalfEdgeMesh<S> {
     #[inline(always)]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         self.outgoing[v.index()].get()

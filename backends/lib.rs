@@ -22,6 +22,7 @@ mod mate_face;
 #[macro_use]
 pub mod registry;
 mod selected;
+pub mod storage;
 mod table;
 mod vertex_graph;
 mod winged_edge;
