@@ -1,7 +1,9 @@
 //! [`HalfEdgeMesh`]: the half-edge structure, with everything stored.
 use crate::build::{self, Links};
+use crate::check::{self, Checked};
+use crate::columns::{Column, Columns, FromColumns, Invalid, Source};
 use crate::storage::{Owned, Storage};
-use alloc::borrow::Cow;
+use alloc::{borrow::Cow, vec, vec::Vec};
 use bytemuck::{Pod, Zeroable};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
@@ -118,5 +120,56 @@ impl<S: Storage> Incidence for HalfEdgeMesh<S> {
     #[inline(always)]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         self.outgoing[v.index()].get()
+    }
+}
+
+impl<S: Storage> Columns for HalfEdgeMesh<S> {
+    fn backend(&self) -> Cow<'static, str> {
+        Self::backend_name()
+    }
+
+    fn counts(&self) -> (usize, usize) {
+        (self.outgoing.len(), self.records.len() / 3)
+    }
+
+    fn columns(&self) -> Vec<Column<'_>> {
+        vec![Column::new("records", &self.records), Column::new("outgoing", &self.outgoing)]
+    }
+
+    fn validate(&self) -> Checked {
+        let (vertices, half_edges) = (self.outgoing.len(), self.records.len());
+        let exists = |h: HalfEdgeId| h.index() < half_edges;
+        for (i, record) in self.records.iter().enumerate() {
+            let h = HalfEdgeId::new(i);
+            let face: FaceId = corner::face(h);
+            let is_corner =
+                (record.next, record.prev, record.face) == (corner::next(h), corner::prev(h), face);
+            if !is_corner || record.vertex.index() >= vertices || !record.opposite.get().is_none_or(exists) {
+                return Err(Invalid::element("records", i, "is not a half-edge between others of its face"));
+            }
+        }
+        if let Some(f) = self.faces().find(|&f| !check::is_proper(self.face_vertices(f))) {
+            return Err(Invalid::element("records", 3 * f.index(), check::DEGENERATE));
+        }
+        check::opposites(self, "records")?;
+        check::slots("outgoing", &self.outgoing, half_edges)?;
+        check::fans(self, "outgoing", |v| self.fans(v))
+    }
+}
+
+impl<S: Storage> FromColumns for HalfEdgeMesh<S> {
+    type Over<T: Storage> = HalfEdgeMesh<T>;
+
+    fn backend_name() -> Cow<'static, str> {
+        Cow::Borrowed("half-edge")
+    }
+
+    fn from_columns<T: Storage>(source: &impl Source<T>) -> Result<HalfEdgeMesh<T>, Invalid> {
+        let (vertex_count, face_count) = (source.vertex_count(), source.face_count());
+        pairing::check_counts(vertex_count, face_count, HalfEdgeId::MAX_INDEX)?;
+        Ok(HalfEdgeMesh {
+            records: source.column("records", Some(3 * face_count))?,
+            outgoing: source.column("outgoing", Some(vertex_count))?,
+        })
     }
 }

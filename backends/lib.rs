@@ -14,7 +14,9 @@ pub use onering_io as io;
 
 mod adjacency_graph;
 mod build;
+mod check;
 pub mod column;
+pub mod columns;
 mod half_edge;
 pub mod layout;
 pub mod link;

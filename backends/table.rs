@@ -1,4 +1,6 @@
 //! [`Table`]: one struct for every row of the layout table.
+mod columns;
+
 use crate::build::{self, Links};
 use crate::column::{Answered, Cells, Kept, Policy};
 use crate::layout::{Defects, Edges, Layout};
@@ -67,6 +69,11 @@ impl<L: Layout, S: Storage> Table<L, S> {
         let number = L::Opposite::get(&self.opposite, h.index()).number();
         let place = number.and_then(|k| k.checked_sub(self.curve_list.as_slice().len()));
         place.map_or(&[], |place| build::record(self.edge_records.as_slice(), place))
+    }
+
+    /// Whether some vertex has several fans.
+    pub(crate) fn has_vertex_records(&self) -> bool {
+        !self.vertex_records.as_slice().is_empty()
     }
 
     /// The starts of the fans of `v`; none where it has one fan or no face.

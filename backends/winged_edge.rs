@@ -1,4 +1,6 @@
 //! [`WingedEdge`]: undirected edges that know what lies on both sides.
+mod columns;
+
 use crate::build::{self, Links};
 use crate::storage::{Owned, Storage};
 use alloc::borrow::Cow;

@@ -1,5 +1,6 @@
 //! [`MateFace`]: cells that know their neighbours as cells.
 mod cell;
+mod columns;
 mod fans;
 
 use crate::build;

@@ -1,4 +1,5 @@
 //! [`VertexGraph`]: neighbours alone, as TopTri has them.
+mod columns;
 mod common;
 
 use crate::storage::{Owned, Storage};
