@@ -7,6 +7,8 @@
 //! Feature `io` adds `onering::io`, which reads files: `onering::io::load("bunny.obj")`.
 #![no_std]
 extern crate alloc;
+#[cfg(feature = "ring")]
+extern crate std;
 
 pub use onering_core::*;
 #[cfg(feature = "io")]
@@ -23,6 +25,8 @@ pub mod link;
 mod mate_face;
 #[macro_use]
 pub mod registry;
+#[cfg(feature = "ring")]
+pub mod ring;
 mod selected;
 pub mod storage;
 mod table;

@@ -13,10 +13,13 @@ pub enum Format {
     Gltf,
     /// glTF 2.0 in one binary file.
     Glb,
+    /// Onering's own binary file. It is told from the others here, and read by `onering::ring`.
+    Ring,
 }
 
 /// Every format with the extension that names it.
-const ALL: [(Format, &str); 3] = [(Format::Obj, "obj"), (Format::Gltf, "gltf"), (Format::Glb, "glb")];
+const ALL: [(Format, &str); 4] =
+    [(Format::Obj, "obj"), (Format::Gltf, "gltf"), (Format::Glb, "glb"), (Format::Ring, "ring")];
 
 impl Format {
     /// The format of a file, by its content first and its extension second: a GLB that was named `.obj`
@@ -31,6 +34,8 @@ impl Format {
     pub fn of_content(bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(crate::gltf::MAGIC) {
             Some(Self::Glb)
+        } else if bytes.starts_with(&crate::ring::MAGIC) {
+            Some(Self::Ring)
         } else if crate::gltf::looks_like_json(bytes) {
             Some(Self::Gltf)
         } else {
@@ -44,9 +49,10 @@ impl Format {
         ALL.iter().find(|(_, name)| extension.eq_ignore_ascii_case(name)).map(|(format, _)| *format)
     }
 
-    /// `.obj, .gltf, .glb`
+    /// `.obj, .gltf, .glb`: what this crate reads itself.
     pub(crate) fn list() -> String {
-        ALL.map(|(_, name)| format!(".{name}")).join(", ")
+        let read = ALL.iter().filter(|(format, _)| *format != Self::Ring);
+        read.map(|(_, name)| format!(".{name}")).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -56,6 +62,7 @@ impl fmt::Display for Format {
             Self::Obj => "OBJ",
             Self::Gltf => "glTF",
             Self::Glb => "GLB",
+            Self::Ring => "ring",
         })
     }
 }

@@ -41,6 +41,7 @@ pub mod obj;
 #[cfg(feature = "tobj")]
 pub mod obj_attributes;
 mod place;
+pub mod ring;
 mod text;
 mod triangles;
 

@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-use crate::{Error, Format, Triangles, gltf, obj};
+use crate::{Error, Format, Place, Triangles, gltf, obj};
 
 /// Reads the mesh in the file at `path`; the format is [`Format::of`] its content and its extension.
 ///
@@ -76,6 +76,12 @@ fn dispatch(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Trian
     match format {
         Format::Obj => obj::read(bytes),
         Format::Gltf | Format::Glb => gltf::read_format(bytes, format, folder),
+        Format::Ring => Err(Error::Unsupported {
+            format,
+            path: None,
+            place: Place::File,
+            feature: "to be opened with `onering::ring`".into(),
+        }),
     }
 }
 
