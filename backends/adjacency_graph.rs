@@ -1,6 +1,9 @@
 //! [`AdjacencyGraph`]: the neighbours of each vertex in one run of memory, beside faces and opposites.
 use crate::DirectedEdgesSmall;
-use alloc::{borrow::Cow, boxed::Box, vec::Vec};
+use crate::check::{self, Checked, Once};
+use crate::columns::{Column, Columns, FromColumns, Invalid, Source};
+use crate::storage::{Owned, Storage};
+use alloc::{borrow::Cow, vec::Vec};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
 use onering_core::{
@@ -19,23 +22,23 @@ use onering_core::{
 /// asked of them is their target, which that row stores; and it holds edges of three or more faces, faces that
 /// disagree in orientation and vertices of several fans. Degenerate faces are refused.
 #[derive(Clone)]
-pub struct AdjacencyGraph {
-    table: DirectedEdgesSmall,
+pub struct AdjacencyGraph<S: Storage = Owned> {
+    table: DirectedEdgesSmall<S>,
     /// Where each list starts, and the end of the last.
-    offsets: Box<[u32]>,
-    neighbours: Box<[VertexId]>,
+    offsets: S::Slice<u32>,
+    neighbours: S::Slice<VertexId>,
     /// Whether some vertex has several fans: asked before the table is, whose links are elsewhere in memory.
     has_several: bool,
 }
 
-impl AdjacencyGraph {
+impl<S: Storage> AdjacencyGraph<S> {
     #[inline(always)]
     fn list(&self, v: VertexId) -> &[VertexId] {
         &self.neighbours[self.offsets[v.index()] as usize..self.offsets[v.index() + 1] as usize]
     }
 }
 
-impl fmt::Debug for AdjacencyGraph {
+impl<S: Storage> fmt::Debug for AdjacencyGraph<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (vertices, faces) = (self.vertex_count(), self.face_count());
         write!(f, "AdjacencyGraph {{ vertices: {vertices}, faces: {faces} }}")
@@ -43,7 +46,7 @@ impl fmt::Debug for AdjacencyGraph {
 }
 
 #[inline]
-fn has_several_fans(table: &DirectedEdgesSmall, v: VertexId) -> bool {
+fn has_several_fans<S: Storage>(table: &DirectedEdgesSmall<S>, v: VertexId) -> bool {
     table.fans(v).nth(1).is_some()
 }
 
@@ -57,8 +60,7 @@ impl FromFaces for AdjacencyGraph {
         for v in table.vertices() {
             offsets.push(neighbours.len() as u32);
             if has_several && has_several_fans(&table, v) {
-                let rings = table.fans(v).flat_map(|start| OneRing::new(&table, Some(start)));
-                neighbours.extend(rings.filter(|&w| once.is_new(v, w)));
+                neighbours.extend(rings(&table, v).filter(|&w| once.is_new(v, w)));
             } else {
                 table.one_ring(v).for_each(|w| neighbours.push(w));
             }
@@ -68,25 +70,16 @@ impl FromFaces for AdjacencyGraph {
     }
 }
 
+/// Ring after ring: a neighbour that fans share comes more than once.
+fn rings<S: Storage>(table: &DirectedEdgesSmall<S>, v: VertexId) -> impl Iterator<Item = VertexId> {
+    table.fans(v).flat_map(|start| OneRing::new(table, Some(start)))
+}
+
 /// Number of edges. O(half-edges), however many faces share one.
 fn edge_count(table: &DirectedEdgesSmall) -> usize {
     // After the half-edge itself the table gives the others ascending: the least is among the first two.
     let is_least = |&h: &HalfEdgeId| table.edge_fan(h).take(2).all(|g| h <= g);
     table.half_edges().filter(is_least).count()
-}
-
-/// Tells a neighbour that the fans of a vertex share from a new one, by the vertex that it was last seen from.
-struct Once(Vec<u32>);
-
-impl Once {
-    fn new(vertex_count: usize) -> Result<Self, BuildError> {
-        memory::filled(vertex_count, u32::MAX).map(Self)
-    }
-
-    fn is_new(&mut self, v: VertexId, w: VertexId) -> bool {
-        let v = v.index() as u32;
-        core::mem::replace(&mut self.0[w.index()], v) != v
-    }
 }
 
 impl Footprint for AdjacencyGraph {
@@ -100,7 +93,7 @@ impl Footprint for AdjacencyGraph {
     }
 }
 
-impl Topology for AdjacencyGraph {
+impl<S: Storage> Topology for AdjacencyGraph<S> {
     type Vertex = VertexId;
     type HalfEdge = HalfEdgeId;
     type Face = FaceId;
@@ -126,7 +119,7 @@ impl Topology for AdjacencyGraph {
     }
 }
 
-impl Adjacency for AdjacencyGraph {
+impl<S: Storage> Adjacency for AdjacencyGraph<S> {
     #[inline(always)]
     fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
         self.table.opposite(h)
@@ -143,7 +136,7 @@ impl Adjacency for AdjacencyGraph {
     }
 }
 
-impl Incidence for AdjacencyGraph {
+impl<S: Storage> Incidence for AdjacencyGraph<S> {
     #[inline(always)]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         self.table.outgoing(v)
@@ -165,5 +158,58 @@ impl Incidence for AdjacencyGraph {
     #[inline]
     fn neighbours(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
         self.list(v).iter().copied()
+    }
+}
+
+impl<S: Storage> Columns for AdjacencyGraph<S> {
+    fn backend(&self) -> Cow<'static, str> {
+        Self::backend_name()
+    }
+
+    fn counts(&self) -> (usize, usize) {
+        (self.vertex_count(), self.face_count())
+    }
+
+    fn columns(&self) -> Vec<Column<'_>> {
+        let mut columns = self.table.columns();
+        columns.push(Column::new("offsets", &self.offsets));
+        columns.push(Column::new("neighbours", &self.neighbours));
+        columns
+    }
+
+    fn validate(&self) -> Checked {
+        self.table.validate()?;
+        check::offsets("offsets", &self.offsets, self.neighbours.len())?;
+        let mut once = Once::new(self.vertex_count())?;
+        for v in self.vertices() {
+            let mut list = self.list(v).iter().copied();
+            let is_ring = rings(&self.table, v).all(|w| !once.is_new(v, w) || list.next() == Some(w));
+            if !is_ring || list.next().is_some() {
+                return Err(Invalid::element(
+                    "offsets",
+                    v.index(),
+                    "the list is not of the rings of the vertex",
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl<S: Storage> FromColumns for AdjacencyGraph<S> {
+    type Over<T: Storage> = AdjacencyGraph<T>;
+
+    fn backend_name() -> Cow<'static, str> {
+        Cow::Borrowed("adjacency-graph")
+    }
+
+    fn from_columns<T: Storage>(source: &impl Source<T>) -> Result<AdjacencyGraph<T>, Invalid> {
+        let table = DirectedEdgesSmall::<S>::from_columns(source)?;
+        Ok(AdjacencyGraph {
+            offsets: source.column("offsets", Some(source.vertex_count() + 1))?,
+            neighbours: source.column("neighbours", None)?,
+            has_several: table.has_vertex_records(),
+            table,
+        })
     }
 }

@@ -1,7 +1,6 @@
 //! What a layout does with one column: [`Stored`], [`Computed`] or [`Absent`].
-use alloc::{boxed::Box, vec::Vec};
+use crate::storage::{Element, Storage};
 use core::{fmt::Debug, marker::PhantomData};
-use onering_core::BuildError;
 
 mod sealed {
     pub trait Sealed {}
@@ -12,8 +11,8 @@ mod sealed {
 pub trait Policy: sealed::Sealed + Clone + 'static {
     /// Cells in memory for each element: 1 or 0.
     const CELLS: usize;
-    /// The cells in memory: a boxed slice, or nothing at all.
-    type Cells<T: Copy + Debug + Send + Sync>: Cells<T>;
+    /// The cells in memory: a slice, or nothing at all.
+    type Cells<S: Storage, T: Element>: Cells<S, T>;
 }
 
 /// A column that can be read: [`Stored`] or [`Computed`].
@@ -23,11 +22,7 @@ pub trait Policy: sealed::Sealed + Clone + 'static {
 )]
 pub trait Answered: Policy {
     /// Cell `i`, or `compute()` where nothing is kept.
-    fn get_or<T: Copy + Debug + Send + Sync>(
-        cells: &Self::Cells<T>,
-        i: usize,
-        compute: impl FnOnce() -> T,
-    ) -> T;
+    fn get_or<S: Storage, T: Element>(cells: &Self::Cells<S, T>, i: usize, compute: impl FnOnce() -> T) -> T;
 }
 
 /// A column that is in memory: [`Stored`] only.
@@ -37,16 +32,16 @@ pub trait Answered: Policy {
 )]
 pub trait Kept: Answered {
     /// Cell `i`.
-    fn get<T: Copy + Debug + Send + Sync>(cells: &Self::Cells<T>, i: usize) -> T;
+    fn get<S: Storage, T: Element>(cells: &Self::Cells<S, T>, i: usize) -> T;
 }
 
 /// Construction and size of a column.
-pub trait Cells<T>: Debug + Clone + Send + Sync {
+pub trait Cells<S: Storage, T: Element>: Debug + Clone + Send + Sync {
     /// Fills the column; one without memory never runs `make`.
     ///
     /// # Errors
     /// Those of `make`.
-    fn build(make: impl FnOnce() -> Result<Vec<T>, BuildError>) -> Result<Self, BuildError>;
+    fn build<V: Into<S::Slice<T>>, E>(make: impl FnOnce() -> Result<V, E>) -> Result<Self, E>;
 
     /// The cells; none where nothing is kept.
     fn as_slice(&self) -> &[T];
@@ -70,47 +65,47 @@ impl sealed::Sealed for Absent {}
 
 impl Policy for Stored {
     const CELLS: usize = 1;
-    type Cells<T: Copy + Debug + Send + Sync> = InMemory<T>;
+    type Cells<S: Storage, T: Element> = InMemory<S, T>;
 }
 
 impl Policy for Computed {
     const CELLS: usize = 0;
-    type Cells<T: Copy + Debug + Send + Sync> = Nowhere<T>;
+    type Cells<S: Storage, T: Element> = Nowhere<T>;
 }
 
 impl Policy for Absent {
     const CELLS: usize = 0;
-    type Cells<T: Copy + Debug + Send + Sync> = Nowhere<T>;
+    type Cells<S: Storage, T: Element> = Nowhere<T>;
 }
 
 impl Answered for Stored {
     #[inline(always)]
-    fn get_or<T: Copy + Debug + Send + Sync>(cells: &InMemory<T>, i: usize, _: impl FnOnce() -> T) -> T {
+    fn get_or<S: Storage, T: Element>(cells: &InMemory<S, T>, i: usize, _: impl FnOnce() -> T) -> T {
         cells.0[i]
     }
 }
 
 impl Answered for Computed {
     #[inline(always)]
-    fn get_or<T: Copy + Debug + Send + Sync>(_: &Nowhere<T>, _: usize, compute: impl FnOnce() -> T) -> T {
+    fn get_or<S: Storage, T: Element>(_: &Nowhere<T>, _: usize, compute: impl FnOnce() -> T) -> T {
         compute()
     }
 }
 
 impl Kept for Stored {
     #[inline(always)]
-    fn get<T: Copy + Debug + Send + Sync>(cells: &InMemory<T>, i: usize) -> T {
+    fn get<S: Storage, T: Element>(cells: &InMemory<S, T>, i: usize) -> T {
         cells.0[i]
     }
 }
 
 /// Cells of a [`Stored`] column.
 #[derive(Clone, Debug)]
-pub struct InMemory<T>(Box<[T]>);
+pub struct InMemory<S: Storage, T: Element>(S::Slice<T>);
 
-impl<T: Copy + Debug + Send + Sync> Cells<T> for InMemory<T> {
-    fn build(make: impl FnOnce() -> Result<Vec<T>, BuildError>) -> Result<Self, BuildError> {
-        Ok(Self(make()?.into_boxed_slice()))
+impl<S: Storage, T: Element> Cells<S, T> for InMemory<S, T> {
+    fn build<V: Into<S::Slice<T>>, E>(make: impl FnOnce() -> Result<V, E>) -> Result<Self, E> {
+        Ok(Self(make()?.into()))
     }
 
     fn as_slice(&self) -> &[T] {
@@ -122,8 +117,8 @@ impl<T: Copy + Debug + Send + Sync> Cells<T> for InMemory<T> {
 #[derive(Clone, Debug)]
 pub struct Nowhere<T>(PhantomData<T>);
 
-impl<T: Copy + Debug + Send + Sync> Cells<T> for Nowhere<T> {
-    fn build(_: impl FnOnce() -> Result<Vec<T>, BuildError>) -> Result<Self, BuildError> {
+impl<S: Storage, T: Element> Cells<S, T> for Nowhere<T> {
+    fn build<V: Into<S::Slice<T>>, E>(_: impl FnOnce() -> Result<V, E>) -> Result<Self, E> {
         Ok(Self(PhantomData))
     }
 

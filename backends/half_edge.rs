@@ -1,6 +1,10 @@
 //! [`HalfEdgeMesh`]: the half-edge structure, with everything stored.
 use crate::build::{self, Links};
-use alloc::{borrow::Cow, boxed::Box};
+use crate::check::{self, Checked};
+use crate::columns::{Column, Columns, FromColumns, Invalid, Source};
+use crate::storage::{Owned, Storage};
+use alloc::{borrow::Cow, vec, vec::Vec};
+use bytemuck::{Pod, Zeroable};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
 use onering_core::{
@@ -9,7 +13,8 @@ use onering_core::{
 };
 
 /// What a half-edge knows. One record, so that a step reads one cache line.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
 struct Record {
     vertex: VertexId,
     next: HalfEdgeId,
@@ -27,19 +32,19 @@ const _: () = assert!(size_of::<Record>() == 20);
 /// reference of their own. Degenerate faces, edges of three or more faces, faces that disagree in orientation
 /// and vertices of several fans are refused. Up to 2^32 - 2 half-edges.
 #[derive(Clone)]
-pub struct HalfEdgeMesh {
-    records: Box<[Record]>,
-    outgoing: Box<[Slot<HalfEdgeId>]>,
+pub struct HalfEdgeMesh<S: Storage = Owned> {
+    records: S::Slice<Record>,
+    outgoing: S::Slice<Slot<HalfEdgeId>>,
 }
 
-impl HalfEdgeMesh {
+impl<S: Storage> HalfEdgeMesh<S> {
     #[inline(always)]
     fn record(&self, h: HalfEdgeId) -> &Record {
         &self.records[h.index()]
     }
 }
 
-impl fmt::Debug for HalfEdgeMesh {
+impl<S: Storage> fmt::Debug for HalfEdgeMesh<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (vertices, faces) = (self.vertex_count(), self.face_count());
         write!(f, "HalfEdgeMesh {{ vertices: {vertices}, faces: {faces} }}")
@@ -68,7 +73,7 @@ impl Footprint for HalfEdgeMesh {
     }
 }
 
-impl Topology for HalfEdgeMesh {
+impl<S: Storage> Topology for HalfEdgeMesh<S> {
     type Vertex = VertexId;
     type HalfEdge = HalfEdgeId;
     type Face = FaceId;
@@ -104,16 +109,67 @@ impl Topology for HalfEdgeMesh {
     }
 }
 
-impl Adjacency for HalfEdgeMesh {
+impl<S: Storage> Adjacency for HalfEdgeMesh<S> {
     #[inline(always)]
     fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
         self.record(h).opposite.get()
     }
 }
 
-impl Incidence for HalfEdgeMesh {
+impl<S: Storage> Incidence for HalfEdgeMesh<S> {
     #[inline(always)]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         self.outgoing[v.index()].get()
+    }
+}
+
+impl<S: Storage> Columns for HalfEdgeMesh<S> {
+    fn backend(&self) -> Cow<'static, str> {
+        Self::backend_name()
+    }
+
+    fn counts(&self) -> (usize, usize) {
+        (self.outgoing.len(), self.records.len() / 3)
+    }
+
+    fn columns(&self) -> Vec<Column<'_>> {
+        vec![Column::new("records", &self.records), Column::new("outgoing", &self.outgoing)]
+    }
+
+    fn validate(&self) -> Checked {
+        let (vertices, half_edges) = (self.outgoing.len(), self.records.len());
+        let exists = |h: HalfEdgeId| h.index() < half_edges;
+        for (i, record) in self.records.iter().enumerate() {
+            let h = HalfEdgeId::new(i);
+            let face: FaceId = corner::face(h);
+            let is_corner =
+                (record.next, record.prev, record.face) == (corner::next(h), corner::prev(h), face);
+            if !is_corner || record.vertex.index() >= vertices || !record.opposite.get().is_none_or(exists) {
+                return Err(Invalid::element("records", i, "is not a half-edge between others of its face"));
+            }
+        }
+        if let Some(f) = self.faces().find(|&f| !check::is_proper(self.face_vertices(f))) {
+            return Err(Invalid::element("records", 3 * f.index(), check::DEGENERATE));
+        }
+        check::opposites(self, "records")?;
+        check::slots("outgoing", &self.outgoing, half_edges)?;
+        check::fans(self, "outgoing", |v| self.fans(v))
+    }
+}
+
+impl<S: Storage> FromColumns for HalfEdgeMesh<S> {
+    type Over<T: Storage> = HalfEdgeMesh<T>;
+
+    fn backend_name() -> Cow<'static, str> {
+        Cow::Borrowed("half-edge")
+    }
+
+    fn from_columns<T: Storage>(source: &impl Source<T>) -> Result<HalfEdgeMesh<T>, Invalid> {
+        let (vertex_count, face_count) = (source.vertex_count(), source.face_count());
+        pairing::check_counts(vertex_count, face_count, HalfEdgeId::MAX_INDEX)?;
+        Ok(HalfEdgeMesh {
+            records: source.column("records", Some(3 * face_count))?,
+            outgoing: source.column("outgoing", Some(vertex_count))?,
+        })
     }
 }

@@ -143,7 +143,7 @@ macro_rules! define {
         pub mod aliases {
             $(
                 #[doc = $doc]
-                pub type $name = crate::Table<super::rows::$name>;
+                pub type $name<S = crate::storage::Owned> = crate::Table<super::rows::$name, S>;
             )+
         }
     };

@@ -7,6 +7,8 @@
 //! Feature `io` adds `onering::io`, which reads files: `onering::io::load("bunny.obj")`.
 #![no_std]
 extern crate alloc;
+#[cfg(feature = "ring")]
+extern crate std;
 
 pub use onering_core::*;
 #[cfg(feature = "io")]
@@ -14,14 +16,19 @@ pub use onering_io as io;
 
 mod adjacency_graph;
 mod build;
+mod check;
 pub mod column;
+pub mod columns;
 mod half_edge;
 pub mod layout;
 pub mod link;
 mod mate_face;
 #[macro_use]
 pub mod registry;
+#[cfg(feature = "ring")]
+pub mod ring;
 mod selected;
+pub mod storage;
 mod table;
 mod vertex_graph;
 mod winged_edge;

@@ -1,4 +1,6 @@
 //! The two codings of a link: [`Plain`] and [`Coded`].
+use crate::storage::Element;
+use bytemuck::{Pod, Zeroable};
 use core::fmt;
 use onering_core::{HalfEdgeId, Handle, Slot};
 
@@ -11,7 +13,7 @@ pub trait Coding: 'static {
 }
 
 /// One link: a half-edge, none, or the number of something else.
-pub trait Link: Copy + fmt::Debug + Send + Sync + From<Slot<HalfEdgeId>> + 'static {
+pub trait Link: Element + From<Slot<HalfEdgeId>> {
     /// The half-edge that it leads to, if it leads to one.
     fn half_edge(self) -> Option<HalfEdgeId>;
 
@@ -58,7 +60,8 @@ impl Link for Slot<HalfEdgeId> {
 }
 
 /// A link of [`Coded`].
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, Pod, Zeroable)]
+#[repr(transparent)]
 pub struct CodedLink(i32);
 
 impl From<Slot<HalfEdgeId>> for CodedLink {

@@ -4,7 +4,7 @@
 //! another preset, the columns that have the same traits. What one preset holds, the union holds: one that takes
 //! vertices of several fans, or anything, makes a row with outgoing half-edges, or opposites, one that holds. (But
 //! for degenerate faces: no row with opposites holds those.)
-use crate::{column, layout, link};
+use crate::{column, layout, link, storage::Owned};
 
 macro_rules! columns {
     ($($column:ident: $on_if:meta => $module:ident::$on:ident, else $off:ident;)+) => {
@@ -73,12 +73,12 @@ macro_rules! mesh {
             /// The mesh that the cargo features select: here the one backend that was asked for. For binaries; a
             /// library takes `impl Topology`.
             #[cfg(all(feature = $feature, not(any(feature = "_row", $(feature = $other),+))))]
-            pub type Mesh = crate::$mesh;
+            pub type Mesh<S = Owned> = crate::$mesh<S>;
         )+
         /// The mesh that the cargo features select: the row with the union of the columns that the crates of a build
         /// asked for. For binaries; a library takes `impl Topology`.
         #[cfg(not(any($(all(feature = $feature, not(any(feature = "_row", $(feature = $other),+)))),+)))]
-        pub type Mesh = crate::Table<Selected>;
+        pub type Mesh<S = Owned> = crate::Table<Selected, S>;
     };
 }
 

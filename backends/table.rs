@@ -1,8 +1,11 @@
 //! [`Table`]: one struct for every row of the layout table.
+mod columns;
+
 use crate::build::{self, Links};
 use crate::column::{Answered, Cells, Kept, Policy};
 use crate::layout::{Defects, Edges, Layout};
 use crate::link::{Coding, Link};
+use crate::storage::{Owned, Storage};
 use alloc::{borrow::Cow, vec::Vec};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
@@ -11,7 +14,7 @@ use onering_core::{
     Incidence, Pairing, Topology, VertexId, corner, memory, pairing,
 };
 
-type Column<P, T> = <P as Policy>::Cells<T>;
+type Column<P, S, T> = <P as Policy>::Cells<S, T>;
 type LinkOf<L> = <<L as Layout>::Links as Coding>::Link;
 type EdgeList<L> = <<L as Layout>::Edges as Edges>::List;
 type EdgeIndex<L> = <<L as Layout>::Edges as Edges>::Index;
@@ -20,29 +23,29 @@ type RecordsOf<L> = <<L as Layout>::Defects as Defects>::Records;
 /// Triangle topology laid out as the row `L` of [`with_layouts!`](crate::with_layouts) says. Half-edges are
 /// numbered by corners.
 #[derive(Clone)]
-pub struct Table<L: Layout> {
+pub struct Table<L: Layout, S: Storage = Owned> {
     vertex_count: usize,
     face_count: usize,
-    origin: Column<L::Origin, VertexId>,
-    target: Column<L::Target, VertexId>,
-    next: Column<L::Next, HalfEdgeId>,
-    prev: Column<L::Prev, HalfEdgeId>,
-    opposite: Column<L::Opposite, LinkOf<L>>,
-    outgoing: Column<L::Outgoing, LinkOf<L>>,
-    edge_list: Column<EdgeList<L>, HalfEdgeId>,
-    edge_index: Column<EdgeIndex<L>, EdgeId>,
-    curve_list: Column<L::Curves, HalfEdgeId>,
-    edge_records: Column<RecordsOf<L>, u32>,
-    vertex_records: Column<RecordsOf<L>, u32>,
+    origin: Column<L::Origin, S, VertexId>,
+    target: Column<L::Target, S, VertexId>,
+    next: Column<L::Next, S, HalfEdgeId>,
+    prev: Column<L::Prev, S, HalfEdgeId>,
+    opposite: Column<L::Opposite, S, LinkOf<L>>,
+    outgoing: Column<L::Outgoing, S, LinkOf<L>>,
+    edge_list: Column<EdgeList<L>, S, HalfEdgeId>,
+    edge_index: Column<EdgeIndex<L>, S, EdgeId>,
+    curve_list: Column<L::Curves, S, HalfEdgeId>,
+    edge_records: Column<RecordsOf<L>, S, u32>,
+    vertex_records: Column<RecordsOf<L>, S, u32>,
 }
 
-impl<L: Layout> fmt::Debug for Table<L> {
+impl<L: Layout, S: Storage> fmt::Debug for Table<L, S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {{ vertices: {}, faces: {} }}", L::NAME, self.vertex_count, self.face_count)
     }
 }
 
-impl<L: Layout> Table<L> {
+impl<L: Layout, S: Storage> Table<L, S> {
     const HOLDS: bool = RecordsOf::<L>::CELLS > 0;
 
     /// Whether the row has a column that half-edges have to be paired for.
@@ -66,6 +69,11 @@ impl<L: Layout> Table<L> {
         let number = L::Opposite::get(&self.opposite, h.index()).number();
         let place = number.and_then(|k| k.checked_sub(self.curve_list.as_slice().len()));
         place.map_or(&[], |place| build::record(self.edge_records.as_slice(), place))
+    }
+
+    /// Whether some vertex has several fans.
+    pub(crate) fn has_vertex_records(&self) -> bool {
+        !self.vertex_records.as_slice().is_empty()
     }
 
     /// The starts of the fans of `v`; none where it has one fan or no face.
@@ -153,7 +161,7 @@ impl<L: Layout> Footprint for Table<L> {
     }
 }
 
-impl<L: Layout> Topology for Table<L> {
+impl<L: Layout, S: Storage> Topology for Table<L, S> {
     type Vertex = VertexId;
     type HalfEdge = HalfEdgeId;
     type Face = FaceId;
@@ -192,7 +200,7 @@ impl<L: Layout> Topology for Table<L> {
 }
 
 #[diagnostic::do_not_recommend] // the error is then of the trait, and names the remedy
-impl<L: Layout<Opposite: Kept>> Adjacency for Table<L> {
+impl<L: Layout<Opposite: Kept>, S: Storage> Adjacency for Table<L, S> {
     #[inline(always)]
     fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
         L::Opposite::get(&self.opposite, h.index()).half_edge()
@@ -211,7 +219,7 @@ impl<L: Layout<Opposite: Kept>> Adjacency for Table<L> {
 }
 
 #[diagnostic::do_not_recommend] // the error is then of the trait, and names the remedy
-impl<L: Layout<Opposite: Kept, Outgoing: Kept>> Incidence for Table<L> {
+impl<L: Layout<Opposite: Kept, Outgoing: Kept>, S: Storage> Incidence for Table<L, S> {
     #[inline(always)]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         let first = L::Outgoing::get(&self.outgoing, v.index()).half_edge();
@@ -226,7 +234,9 @@ impl<L: Layout<Opposite: Kept, Outgoing: Kept>> Incidence for Table<L> {
 }
 
 #[diagnostic::do_not_recommend] // the error is then of the trait, and names the remedy
-impl<L: Layout<Opposite: Kept, Edges: Edges<List: Kept, Index: Answered>>> EdgeMap for Table<L> {
+impl<L: Layout<Opposite: Kept, Edges: Edges<List: Kept, Index: Answered>>, S: Storage> EdgeMap
+    for Table<L, S>
+{
     type Edge = EdgeId;
 
     #[inline(always)]
@@ -250,7 +260,7 @@ impl<L: Layout<Opposite: Kept, Edges: Edges<List: Kept, Index: Answered>>> EdgeM
 }
 
 #[diagnostic::do_not_recommend] // the error is then of the trait, and names the remedy
-impl<L: Layout<Opposite: Kept, Curves: Kept>> Boundaries for Table<L> {
+impl<L: Layout<Opposite: Kept, Curves: Kept>, S: Storage> Boundaries for Table<L, S> {
     type Curve = CurveId;
 
     #[inline(always)]

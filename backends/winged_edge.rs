@@ -1,6 +1,10 @@
 //! [`WingedEdge`]: undirected edges that know what lies on both sides.
+mod columns;
+
 use crate::build::{self, Links};
-use alloc::{borrow::Cow, boxed::Box};
+use crate::storage::{Owned, Storage};
+use alloc::borrow::Cow;
+use bytemuck::{Pod, Zeroable};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
 use onering_core::{
@@ -9,7 +13,8 @@ use onering_core::{
 };
 
 /// What an edge knows. Side 0 runs from the first vertex to the second and always has a face.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
 struct Edge {
     vertices: [VertexId; 2],
     faces: [Slot<FaceId>; 2],
@@ -34,13 +39,13 @@ const _: () = assert!(size_of::<Edge>() == 32);
 /// fans are refused. Up to 2^31 - 1 edges: two indices for each have to be below 2^32 - 1, which for a
 /// closed mesh are as many half-edges as of any other backend, but for separate triangles half as many.
 #[derive(Clone)]
-pub struct WingedEdge {
-    edges: Box<[Edge]>,
-    vertices: Box<[Slot<EdgeId>]>,
-    faces: Box<[EdgeId]>,
+pub struct WingedEdge<S: Storage = Owned> {
+    edges: S::Slice<Edge>,
+    vertices: S::Slice<Slot<EdgeId>>,
+    faces: S::Slice<EdgeId>,
 }
 
-impl WingedEdge {
+impl<S: Storage> WingedEdge<S> {
     #[inline(always)]
     fn side(&self, h: HalfEdgeId) -> (&Edge, usize) {
         (&self.edges[h.index() / 2], h.index() % 2)
@@ -69,7 +74,7 @@ fn check_handles(edge_count: usize) -> Result<(), BuildError> {
     if half_edges > limit { Err(BuildError::TooManyHalfEdges { half_edges, limit }) } else { Ok(()) }
 }
 
-impl fmt::Debug for WingedEdge {
+impl<S: Storage> fmt::Debug for WingedEdge<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (vertices, edges, faces) = (self.vertices.len(), self.edges.len(), self.faces.len());
         write!(f, "WingedEdge {{ vertices: {vertices}, edges: {edges}, faces: {faces} }}")
@@ -111,7 +116,7 @@ impl Footprint for WingedEdge {
     }
 }
 
-impl Topology for WingedEdge {
+impl<S: Storage> Topology for WingedEdge<S> {
     type Vertex = VertexId;
     type HalfEdge = HalfEdgeId;
     type Face = FaceId;
@@ -171,7 +176,7 @@ impl Topology for WingedEdge {
     }
 }
 
-impl Adjacency for WingedEdge {
+impl<S: Storage> Adjacency for WingedEdge<S> {
     #[inline(always)]
     fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
         let (edge, side) = self.side(h);
@@ -179,7 +184,7 @@ impl Adjacency for WingedEdge {
     }
 }
 
-impl Incidence for WingedEdge {
+impl<S: Storage> Incidence for WingedEdge<S> {
     #[inline]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         let e = self.vertices[v.index()].get()?;
@@ -188,7 +193,7 @@ impl Incidence for WingedEdge {
     }
 }
 
-impl EdgeMap for WingedEdge {
+impl<S: Storage> EdgeMap for WingedEdge<S> {
     type Edge = EdgeId;
 
     #[inline(always)]

@@ -1,4 +1,5 @@
 //! Cells and the walk around a vertex over them.
+use bytemuck::{Pod, Zeroable};
 use onering_core::{FaceId, HalfEdgeId, Handle, Slot, VertexId};
 
 /// Local indices after and before `i`: Eqs. (2) and (3) of Biscaro et al. (2016).
@@ -6,7 +7,8 @@ pub(super) const NEXT: [usize; 3] = [1, 2, 0];
 pub(super) const PREV: [usize; 3] = [2, 0, 1];
 
 /// One triangle: `mates[i]` is the face across the side opposite `vertices[i]`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
 pub(super) struct Cell {
     pub(super) vertices: [VertexId; 3],
     pub(super) mates: [Slot<FaceId>; 3],

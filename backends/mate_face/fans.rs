@@ -7,7 +7,7 @@ use onering_core::{BuildError, FaceId, HalfEdgeId, Handle, Slot, VertexId, memor
 
 /// Where in its fan a cell is. What comes first makes the better start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Place {
+pub(super) enum Place {
     /// Nothing lies across the half-edge out of the vertex: a walk from here is counter-clockwise.
     ClockwiseEnd,
     /// Nothing lies across the half-edge into it: only where faces disagree is no end of a fan better.
@@ -20,7 +20,7 @@ impl Place {
     const ALL: [Self; 3] = [Self::ClockwiseEnd, Self::OtherEnd, Self::Inside];
 
     #[inline]
-    fn of(cell: &Cell, i: usize) -> Self {
+    pub(super) fn of(cell: &Cell, i: usize) -> Self {
         if cell.across_out(i).is_none() {
             Self::ClockwiseEnd
         } else if cell.across_in(i).is_none() {

@@ -1,10 +1,12 @@
 //! [`MateFace`]: cells that know their neighbours as cells.
 mod cell;
+mod columns;
 mod fans;
 
 use crate::build;
 use crate::link::{Coded, CodedLink, Coding, Link};
-use alloc::{borrow::Cow, boxed::Box};
+use crate::storage::{Owned, Storage};
+use alloc::borrow::Cow;
 use cell::{Cell, NEXT, PREV, Walk};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
@@ -44,15 +46,15 @@ use onering_core::{
 /// # Ok::<(), onering::BuildError>(())
 /// ```
 #[derive(Clone)]
-pub struct MateFace {
-    cells: Box<[Cell]>,
+pub struct MateFace<S: Storage = Owned> {
+    cells: S::Slice<Cell>,
     /// For each vertex: its cell, none, or the place of its record. Written as a link to a half-edge is.
-    vertices: Box<[CodedLink]>,
+    vertices: S::Slice<CodedLink>,
     /// For each vertex of several fans: their number, then a cell of each.
-    records: Box<[u32]>,
+    records: S::Slice<u32>,
 }
 
-impl MateFace {
+impl<S: Storage> MateFace<S> {
     /// The face across the side of `f` that is opposite its vertex `side` (0, 1 or 2): the one from vertex
     /// `side + 1` to `side + 2`. `None` on the boundary. Known whichever way round the two faces go.
     ///
@@ -104,7 +106,7 @@ impl MateFace {
     }
 }
 
-impl fmt::Debug for MateFace {
+impl<S: Storage> fmt::Debug for MateFace<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "MateFace {{ vertices: {}, faces: {} }}", self.vertices.len(), self.cells.len())
     }
@@ -140,7 +142,7 @@ impl Footprint for MateFace {
     }
 }
 
-impl Topology for MateFace {
+impl<S: Storage> Topology for MateFace<S> {
     type Vertex = VertexId;
     type HalfEdge = HalfEdgeId;
     type Face = FaceId;
@@ -167,7 +169,7 @@ impl Topology for MateFace {
     }
 }
 
-impl Adjacency for MateFace {
+impl<S: Storage> Adjacency for MateFace<S> {
     #[inline]
     fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
         self.across(h).and_then(|(g, is_opposite)| is_opposite.then_some(g))
@@ -186,7 +188,7 @@ impl Adjacency for MateFace {
 }
 
 /// By the wider notion of a fan: see [`MateFace`].
-impl Incidence for MateFace {
+impl<S: Storage> Incidence for MateFace<S> {
     #[inline]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         self.starts(v).0.map(|f| self.out_of(v, f))

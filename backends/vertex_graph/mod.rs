@@ -1,10 +1,13 @@
 //! [`VertexGraph`]: neighbours alone, as TopTri has them.
+mod columns;
 mod common;
 
-use alloc::{borrow::Cow, boxed::Box, vec::Vec};
+use crate::storage::{Owned, Storage};
+use alloc::{borrow::Cow, vec::Vec};
 use common::{Common, from};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
+use onering_core::handle::Handles;
 use onering_core::{
     BuildError, FromFaces, Handle, Pairing, VertexId, memory, neighbours::Neighbours, pairing,
 };
@@ -33,16 +36,16 @@ use onering_core::{
 ///
 /// Methods panic for a vertex out of range.
 #[derive(Clone)]
-pub struct VertexGraph {
+pub struct VertexGraph<S: Storage = Owned> {
     /// Where each list starts, and the end of the last.
-    offsets: Box<[u32]>,
-    neighbours: Box<[VertexId]>,
+    offsets: S::Slice<u32>,
+    neighbours: S::Slice<VertexId>,
 }
 
 /// Two ends of 2^31 - 1 half-edges are what offsets of four bytes can count.
 const MAX_HALF_EDGES: usize = i32::MAX as usize;
 
-impl VertexGraph {
+impl<S: Storage> VertexGraph<S> {
     /// Number of vertices, isolated ones included.
     #[inline(always)]
     pub fn vertex_count(&self) -> usize {
@@ -56,8 +59,8 @@ impl VertexGraph {
     }
 
     /// Every vertex.
-    pub fn vertices(&self) -> impl ExactSizeIterator<Item = VertexId> + DoubleEndedIterator + use<> {
-        (0..self.vertex_count()).map(VertexId::new)
+    pub fn vertices(&self) -> Handles<VertexId> {
+        Handles::below(self.vertex_count())
     }
 
     /// Every edge once, the lesser vertex first. O(edges).
@@ -141,7 +144,7 @@ impl VertexGraph {
     }
 }
 
-impl fmt::Debug for VertexGraph {
+impl<S: Storage> fmt::Debug for VertexGraph<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "VertexGraph {{ vertices: {}, edges: {} }}", self.vertex_count(), self.edge_count())
     }
@@ -221,7 +224,7 @@ impl Footprint for VertexGraph {
 }
 
 /// As good as the graph.
-impl Neighbours for &VertexGraph {
+impl<S: Storage> Neighbours for &VertexGraph<S> {
     type Node = VertexId;
 
     fn node_count(&self) -> usize {
@@ -234,7 +237,7 @@ impl Neighbours for &VertexGraph {
     }
 }
 
-impl Neighbours for VertexGraph {
+impl<S: Storage> Neighbours for VertexGraph<S> {
     type Node = VertexId;
 
     fn node_count(&self) -> usize {

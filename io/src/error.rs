@@ -309,6 +309,14 @@ pub enum Reason {
         /// What does not match.
         problem: String,
     },
+    /// A part of a `.ring` file is not what it should be.
+    #[error("{part}: {problem}")]
+    Ring {
+        /// The header, or a section with its name.
+        part: String,
+        /// What is wrong with it.
+        problem: String,
+    },
 }
 
 impl Reason {

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use crate::load::Request;
-use crate::{Error, MeshRef, SaveOptions, Triangles, gltf, obj, off, ply, stl, vrml, x3d};
+use crate::{Error, MeshRef, SaveOptions, Triangles, gltf, obj, off, ply, ring, stl, vrml, x3d};
 
 /// The file formats that this crate knows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -28,6 +28,8 @@ pub enum Format {
     Stl,
     /// OFF: text.
     Off,
+    /// Onering's own binary file of a structure. It is told from the others here, and read by `onering::ring`.
+    Ring,
 }
 
 /// How a mesh is written in a format. The mesh has been checked; what else the format cannot hold is an [`Error`]
@@ -54,6 +56,14 @@ const ROWS: &[Row] = &[
         begins: |bytes| bytes.starts_with(gltf::MAGIC),
         read: gltf::read_request,
         write: Some(|mesh, out, _| gltf::write_glb(mesh, out)),
+    },
+    Row {
+        format: Format::Ring,
+        name: "ring",
+        extensions: &["ring"],
+        begins: |bytes| bytes.starts_with(&ring::MAGIC),
+        read: |_, _| Err(ring::unsupported()),
+        write: None,
     },
     // A binary STL begins with anything, such as an OBJ keyword; that its length fits by chance is out of the question.
     Row {

@@ -59,6 +59,7 @@ pub mod ply;
 mod polygons;
 mod proportion;
 mod replacement;
+pub mod ring;
 mod save;
 mod scene;
 pub mod stl;

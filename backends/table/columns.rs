@@ -1,0 +1,360 @@
+//! The columns of [`Table`], and what is checked of them.
+use super::{EdgeIndex, EdgeList, LinkOf, RecordsOf, Table};
+use crate::build;
+use crate::check::{self, Checked};
+use crate::column::{Cells, Policy};
+use crate::columns::{Column, Columns, FromColumns, Invalid, Source};
+use crate::layout::Layout;
+use crate::link::{Coding, Link};
+use crate::storage::{Element, Storage};
+use alloc::{borrow::Cow, string::String, vec::Vec};
+use onering_core::{
+    Adjacency, FaceId, HalfEdgeId, Handle, Pairing, Topology, VertexId, boundary, corner, memory, pairing,
+};
+
+/// `CheL2` is `che-l2` in the registry.
+fn dashed(name: &str) -> String {
+    let mut dashed = String::new();
+    for (i, letter) in name.char_indices() {
+        if i > 0 && letter.is_uppercase() {
+            dashed.push('-');
+        }
+        dashed.push(letter.to_ascii_lowercase());
+    }
+    dashed
+}
+
+impl<L: Layout, S: Storage> Columns for Table<L, S> {
+    fn backend(&self) -> Cow<'static, str> {
+        Self::backend_name()
+    }
+
+    fn counts(&self) -> (usize, usize) {
+        (self.vertex_count, self.face_count)
+    }
+
+    fn columns(&self) -> Vec<Column<'_>> {
+        let mut columns = Vec::new();
+        let mut list = |cells: usize, column| columns.extend((cells > 0).then_some(column));
+        list(L::Origin::CELLS, Column::new("origin", self.origin.as_slice()));
+        list(L::Target::CELLS, Column::new("target", self.target.as_slice()));
+        list(L::Next::CELLS, Column::new("next", self.next.as_slice()));
+        list(L::Prev::CELLS, Column::new("prev", self.prev.as_slice()));
+        list(L::Opposite::CELLS, Column::new("opposite", self.opposite.as_slice()));
+        list(L::Outgoing::CELLS, Column::new("outgoing", self.outgoing.as_slice()));
+        list(EdgeList::<L>::CELLS, Column::new("edge_list", self.edge_list.as_slice()));
+        list(EdgeIndex::<L>::CELLS, Column::new("edge_index", self.edge_index.as_slice()));
+        list(L::Curves::CELLS, Column::new("curve_list", self.curve_list.as_slice()));
+        list(RecordsOf::<L>::CELLS, Column::new("edge_records", self.edge_records.as_slice()));
+        list(RecordsOf::<L>::CELLS, Column::new("vertex_records", self.vertex_records.as_slice()));
+        columns
+    }
+
+    fn validate(&self) -> Checked {
+        self.check_corners()?;
+        if !Self::PAIRS {
+            return Ok(());
+        }
+        if let Some(f) = self.faces().find(|&f| !check::is_proper(self.face_vertices(f))) {
+            return Err(Invalid::element(self.corner_column(), 3 * f.index(), check::DEGENERATE));
+        }
+        self.check_links("opposite", self.opposite.as_slice())?;
+        self.check_links("outgoing", self.outgoing.as_slice())?;
+        self.check_edge_records()?;
+        let linked = Linked(self);
+        if L::Opposite::CELLS > 0 {
+            check::opposites(&linked, "opposite")?;
+            if L::Outgoing::CELLS > 0 {
+                self.check_vertex_records()?;
+                check::fans(&linked, "outgoing", |v| self.fan_starts(v))?;
+            } else {
+                self.compare_opposites()?;
+            }
+        }
+        self.check_edge_list()?;
+        self.check_curves()
+    }
+}
+
+impl<L: Layout, S: Storage> FromColumns for Table<L, S> {
+    type Over<T: Storage> = Table<L, T>;
+
+    fn backend_name() -> Cow<'static, str> {
+        Cow::Owned(dashed(L::NAME))
+    }
+
+    fn from_columns<T: Storage>(source: &impl Source<T>) -> Result<Table<L, T>, Invalid> {
+        let (vertex_count, face_count) = (source.vertex_count(), source.face_count());
+        pairing::check_counts(vertex_count, face_count, L::Links::MAX_HALF_EDGES)?;
+        let (of_vertices, of_half_edges) = (Some(vertex_count), Some(3 * face_count));
+        Ok(Table {
+            vertex_count,
+            face_count,
+            origin: Cells::build(|| source.column("origin", of_half_edges))?,
+            target: Cells::build(|| source.column("target", of_half_edges))?,
+            next: Cells::build(|| source.column("next", of_half_edges))?,
+            prev: Cells::build(|| source.column("prev", of_half_edges))?,
+            opposite: Cells::build(|| source.column("opposite", of_half_edges))?,
+            outgoing: Cells::build(|| source.column("outgoing", of_vertices))?,
+            edge_list: Cells::build(|| source.column("edge_list", None))?,
+            edge_index: Cells::build(|| source.column("edge_index", of_half_edges))?,
+            curve_list: Cells::build(|| source.column("curve_list", None))?,
+            edge_records: Cells::build(|| source.column("edge_records", None))?,
+            vertex_records: Cells::build(|| source.column("vertex_records", None))?,
+        })
+    }
+}
+
+impl<L: Layout, S: Storage> Table<L, S> {
+    /// The column that faces are in.
+    fn corner_column(&self) -> &'static str {
+        if L::Origin::CELLS > 0 { "origin" } else { "target" }
+    }
+
+    /// Vertices exist, and what is stored beside them is what the numbers of corners say.
+    fn check_corners(&self) -> Checked {
+        check::handles("origin", self.origin.as_slice(), self.vertex_count)?;
+        check::handles("target", self.target.as_slice(), self.vertex_count)?;
+        follows("next", self.next.as_slice(), corner::next)?;
+        follows("prev", self.prev.as_slice(), corner::prev)?;
+        if L::Origin::CELLS == 0 {
+            return Ok(());
+        }
+        let origin = self.origin.as_slice();
+        follows("target", self.target.as_slice(), |h: HalfEdgeId| origin[corner::next(h).index()])
+    }
+
+    /// Links lead to half-edges that exist.
+    fn check_links(&self, column: &'static str, links: &[LinkOf<L>]) -> Checked {
+        let bound = 3 * self.face_count;
+        // Looked at once more where one is out of range, so that the loop is without a branch until then.
+        let past = |link: &LinkOf<L>| link.half_edge().is_some_and(|h| h.index() >= bound);
+        if links.iter().fold(false, |any, link| any | past(link)) {
+            let index = links.iter().position(past).unwrap_or(0);
+            return Err(Invalid::element(column, index, check::OUT_OF_RANGE));
+        }
+        Ok(())
+    }
+
+    /// The place of the record that the link of a half-edge names.
+    fn edge_place(&self, h: HalfEdgeId) -> Option<usize> {
+        self.opposite.as_slice()[h.index()].number()?.checked_sub(self.curve_list.as_slice().len())
+    }
+
+    /// Each record is of one irregular edge, ascending, and named by all of its half-edges and no others.
+    fn check_edge_records(&self) -> Checked {
+        let words = self.edge_records.as_slice();
+        let ends = |h: HalfEdgeId| {
+            let (a, b) = (self.origin(h), self.target(h));
+            (a.min(b), a.max(b))
+        };
+        let mut members = 0;
+        let bound = if L::Opposite::CELLS > 0 { 3 * self.face_count } else { 0 };
+        records("edge_records", words, bound, |place, record| {
+            let mut along = build::half_edges(record);
+            let first = HalfEdgeId::new(record[0] as usize);
+            members += record.len();
+            let is_one_edge = along.all(|h| ends(h) == ends(first) && self.edge_place(h) == Some(place));
+            let is_pair =
+                record.len() == 2 && self.origin(first) != self.origin(HalfEdgeId::new(record[1] as usize));
+            is_one_edge && record.is_sorted_by(|a, b| a < b) && !is_pair
+        })?;
+        let half_edges = (0..self.opposite.as_slice().len()).map(HalfEdgeId::new);
+        if half_edges.filter(|&h| self.edge_place(h).is_some()).count() != members {
+            return Err(Invalid::column("opposite", "names a record that does not have the half-edge"));
+        }
+        Ok(())
+    }
+
+    /// Each record is of one vertex, which names it.
+    fn check_vertex_records(&self) -> Checked {
+        let (words, outgoing) = (self.vertex_records.as_slice(), self.outgoing.as_slice());
+        let mut owners = 0;
+        records("vertex_records", words, 3 * self.face_count, |place, record| {
+            owners += 1;
+            let v = self.origin(HalfEdgeId::new(record[0] as usize));
+            outgoing[v.index()].number() == Some(place)
+        })?;
+        if outgoing.iter().filter(|link| link.number().is_some()).count() != owners {
+            return Err(Invalid::column("outgoing", "names a record that is not of the vertex"));
+        }
+        Ok(())
+    }
+
+    /// The starts of the fans of `v`; records are in order.
+    #[inline]
+    fn fan_starts(&self, v: VertexId) -> impl Iterator<Item = HalfEdgeId> {
+        let link = self.outgoing.as_slice()[v.index()];
+        let words = self.vertex_records.as_slice();
+        let record = link.number().map_or(&[][..], |place| build::record(words, place));
+        link.half_edge().into_iter().chain(build::half_edges(record))
+    }
+
+    /// Without a start for each vertex, what has no opposite cannot be told from what could have one but by looking
+    /// for it.
+    fn compare_opposites(&self) -> Checked {
+        let faces = self.faces().map(|f| self.face_vertices(f).map(|v| v.index() as u32));
+        let faces = memory::collected(faces)?;
+        let found = build::links::<LinkOf<L>>(self.vertex_count, &faces, Pairing::Auto, false, Self::HOLDS)?;
+        let link = |i: usize| self.opposite.as_slice()[i];
+        let differs = |i: &usize| found.opposite[*i].half_edge() != link(*i).half_edge();
+        if let Some(index) = (0..found.opposite.len()).find(differs) {
+            return Err(Invalid::element("opposite", index, "is not what lies across the edge"));
+        }
+        if self.edge_records.as_slice() != found.edge_records.words {
+            return Err(Invalid::column("edge_records", "are not those of the irregular edges"));
+        }
+        Ok(())
+    }
+
+    /// The list has the least half-edge of every edge, ascending, and the index is its inverse.
+    fn check_edge_list(&self) -> Checked {
+        let (list, index) = (self.edge_list.as_slice(), self.edge_index.as_slice());
+        if EdgeList::<L>::CELLS == 0 || L::Opposite::CELLS == 0 {
+            return Ok(());
+        }
+        check::handles("edge_list", list, 3 * self.face_count)?;
+        let linked = Linked(self);
+        let mut count = 0;
+        for h in self.half_edges() {
+            let least = linked.edge_fan(h).nth(1).map_or(h, |other| other.min(h));
+            if least == h && list.get(count) != Some(&h) {
+                return Err(Invalid::column(
+                    "edge_list",
+                    "is not the least half-edge of each edge, ascending",
+                ));
+            }
+            let is_named = |e: onering_core::EdgeId| match least == h {
+                true => e.index() == count,
+                false => e == index[least.index()],
+            };
+            if index.get(h.index()).is_some_and(|&e| !is_named(e)) {
+                return Err(Invalid::element("edge_index", h.index(), "is not the place in the list"));
+            }
+            count += usize::from(least == h);
+        }
+        if count == list.len() {
+            return Ok(());
+        }
+        Err(Invalid::column("edge_list", "has more half-edges than there are edges"))
+    }
+
+    /// The list has the first half-edge of every curve, ascending, and each boundary half-edge names its own.
+    fn check_curves(&self) -> Checked {
+        let starts = self.curve_list.as_slice();
+        if L::Curves::CELLS == 0 || L::Opposite::CELLS == 0 {
+            return Ok(());
+        }
+        check::handles("curve_list", starts, 3 * self.face_count)?;
+        let linked = Linked(self);
+        let is_of = |h: HalfEdgeId, k| self.opposite.as_slice()[h.index()].number() == Some(k);
+        let mut named = 0;
+        for (k, &start) in starts.iter().enumerate() {
+            let fail = |problem| Err(Invalid::element("curve_list", k, problem));
+            if k > 0 && starts[k - 1] >= start {
+                return fail("is not above the one before");
+            }
+            let mut at = Some(start);
+            while let Some(h) = at {
+                if !is_of(h, k) {
+                    return fail("is a curve whose half-edges do not name it");
+                }
+                named += 1;
+                // A closed curve starts at its least half-edge; only one that ends may have less further on.
+                at = boundary::next_along(&linked, h);
+                if at == Some(start) {
+                    let mut curve = boundary::Curve::new(&linked, start);
+                    if curve.any(|h| h < start) {
+                        return fail("is not the least half-edge of its curve");
+                    }
+                    break;
+                }
+            }
+        }
+        let on_boundary = self.half_edges().filter(|&h| linked.is_boundary(h)).count();
+        if on_boundary == named { Ok(()) } else { Err(Invalid::column("curve_list", "a curve is left out")) }
+    }
+}
+
+/// Whether the cell of every half-edge is what its number says.
+fn follows<H: Handle, T: Element + PartialEq>(
+    column: &'static str,
+    cells: &[T],
+    of: impl Fn(H) -> T,
+) -> Checked {
+    match (0..cells.len()).position(|i| cells[i] != of(H::new(i))) {
+        Some(index) => Err(Invalid::element(column, index, "is not what the faces say")),
+        None => Ok(()),
+    }
+}
+
+/// Whether a column is records of at least two half-edges below `bound` each, all of which are `good`.
+fn records(
+    column: &'static str,
+    words: &[u32],
+    bound: usize,
+    mut good: impl FnMut(usize, &[u32]) -> bool,
+) -> Checked {
+    let mut place = 0;
+    while place < words.len() {
+        let fail = |problem| Err(Invalid::element(column, place, problem));
+        let Some(record) = words[place + 1..].get(..words[place] as usize).filter(|r| r.len() >= 2) else {
+            return fail("the record has fewer than two half-edges or ends after the column");
+        };
+        if record.iter().any(|&h| h as usize >= bound) {
+            return fail(check::OUT_OF_RANGE);
+        }
+        if !good(place, record) {
+            return fail("the record is not of one element that names it");
+        }
+        place += 1 + record.len();
+    }
+    Ok(())
+}
+
+/// The table with what its links say, whether or not the row is known to have any.
+struct Linked<'a, L: Layout, S: Storage>(&'a Table<L, S>);
+
+impl<L: Layout, S: Storage> Topology for Linked<'_, L, S> {
+    type Vertex = VertexId;
+    type HalfEdge = HalfEdgeId;
+    type Face = FaceId;
+
+    fn vertex_count(&self) -> usize {
+        self.0.vertex_count
+    }
+
+    fn face_count(&self) -> usize {
+        self.0.face_count
+    }
+
+    #[inline(always)]
+    fn origin(&self, h: HalfEdgeId) -> VertexId {
+        self.0.origin(h)
+    }
+
+    #[inline(always)]
+    fn target(&self, h: HalfEdgeId) -> VertexId {
+        self.0.target(h)
+    }
+}
+
+impl<L: Layout, S: Storage> Adjacency for Linked<'_, L, S> {
+    #[inline(always)]
+    fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.0.opposite.as_slice()[h.index()].half_edge()
+    }
+
+    #[inline]
+    fn edge_fan(&self, h: HalfEdgeId) -> impl Iterator<Item = HalfEdgeId> {
+        let words = self.0.edge_records.as_slice();
+        let record = self.0.edge_place(h).map_or(&[][..], |place| build::record(words, place));
+        let others = build::half_edges(record).filter(move |&g| g != h);
+        core::iter::once(h).chain(self.opposite(h)).chain(others)
+    }
+
+    #[inline]
+    fn is_boundary(&self, h: HalfEdgeId) -> bool {
+        self.opposite(h).is_none() && self.0.edge_place(h).is_none()
+    }
+}
