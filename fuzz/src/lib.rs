@@ -13,24 +13,35 @@
 
 mod index_buffer;
 mod reads;
+mod ring;
+mod written;
 
 pub use index_buffer::index_buffer;
 pub use onering_io::Format;
 pub use reads::{reads, reads_any};
+pub use ring::ring;
+pub use written::written;
 
 /// A function that any bytes may go to, and that panics where a promise is broken.
 pub type Target = fn(&[u8]);
 
 /// Every target by its name.
-pub const TARGETS: [(&str, Target); 5] = [
+pub const TARGETS: [(&str, Target); 12] = [
     ("obj", |bytes| reads(bytes, Format::Obj)),
     ("gltf", |bytes| reads(bytes, Format::Gltf)),
     ("glb", |bytes| reads(bytes, Format::Glb)),
+    ("ply", |bytes| reads(bytes, Format::Ply)),
+    ("stl", |bytes| reads(bytes, Format::Stl)),
+    ("off", |bytes| reads(bytes, Format::Off)),
+    ("x3d", |bytes| reads(bytes, Format::X3d)),
+    ("vrml", |bytes| reads(bytes, Format::Vrml)),
     ("gzip", reads_any),
+    ("ring", ring),
+    ("written", written),
     ("index_buffer", index_buffer),
 ];
 
 /// The format that the target of this name reads; `None` where it reads none, or any.
 pub fn format_of(target: &str) -> Option<Format> {
-    Format::of_extension(format!("x.{target}").as_ref())
+    Format::of_name(target)
 }
