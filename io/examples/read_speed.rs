@@ -2,6 +2,8 @@
 //! line, or a grid of 1.5 million vertices and 3 million triangles that it makes up.
 //!
 //! cargo run --release -p onering-io --example read_speed -- [file.obj ...]
+//!
+//! With `--features parallel`, ours is read by as many threads as `RAYON_NUM_THREADS` says.
 
 use std::fmt::Write;
 use std::hint::black_box;

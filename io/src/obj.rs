@@ -128,6 +128,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
+    /// Reads any line. Apart from the few instructions that most lines need.
     #[inline(never)]
     fn line(&mut self) -> Result<(), Error> {
         let line = Place::Line(self.scanner.line());

@@ -156,6 +156,26 @@ macro_rules! crafted {
             }
         }
     )+};
+    // The laws run iterators to their end, which there has to be.
+    (@ ends adjacency, $mesh:ident) => {{
+        use onering::Adjacency;
+        let count = $mesh.half_edge_count();
+        assert!($mesh.half_edges().all(|h| $mesh.edge_fan(h).take(count + 1).count() <= count));
+    }};
+    (@ ends incidence, $mesh:ident) => {{
+        use onering::Incidence;
+        let count = $mesh.half_edge_count();
+        assert!($mesh.vertices().all(|v| $mesh.fans(v).take(count + 1).count() <= count));
+        assert!($mesh.vertices().all(|v| $mesh.star(v).take(count + 1).count() <= count));
+        assert!($mesh.vertices().all(|v| $mesh.one_ring(v).take(count + 1).count() <= count));
+        assert!($mesh.vertices().all(|v| $mesh.neighbours(v).take(count + 1).count() <= count));
+    }};
+    (@ ends boundaries, $mesh:ident) => {{
+        use onering::Boundaries;
+        let count = $mesh.half_edge_count();
+        assert!($mesh.curves().all(|c| $mesh.curve(c).take(count + 1).count() <= count));
+    }};
+    (@ ends $other:ident, $mesh:ident) => {};
     (@ obeys $mesh:ident, graph) => {
         let n = $mesh.vertex_count();
         for u in $mesh.vertices() {
@@ -172,6 +192,7 @@ macro_rules! crafted {
     };
     (@ obeys $mesh:ident, $($law:ident)*) => {
         use onering::Topology;
+        $(crafted!(@ ends $law, $mesh);)*
         let case = Case::counted("crafted", $mesh.vertex_count(), $mesh.to_faces());
         laws!(&case, &$mesh, $($law)*);
     };

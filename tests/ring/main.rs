@@ -1,5 +1,6 @@
 //! `.ring` files: what was written comes back, and whatever else is in a file is an error or a mesh that obeys the laws.
 #![cfg(target_endian = "little")]
+mod consistent;
 mod crafted;
 mod damaged;
 mod files;

@@ -18,8 +18,8 @@ const SHARE: usize = 4;
 /// Reads a file as a reader of lines in order would; `None` if that one is to read it, since the file is small,
 /// something is wrong with it, or memory ran out.
 ///
-/// Besides the result, a round of parts is in memory, a few MB for each thread; for a line that is longer than that,
-/// what it holds.
+/// Besides the result, what a round of parts holds is in memory. A part ends with a line feed: a file that has none, as
+/// on very old systems, is one part.
 pub(super) fn read(bytes: &[u8]) -> Option<Triangles> {
     let threads = rayon::current_num_threads();
     if threads < 2 || bytes.len() < 2 * PART {
