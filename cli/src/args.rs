@@ -3,6 +3,7 @@
 mod compare;
 mod convert;
 mod formats;
+pub(crate) use formats::{is_written, written};
 mod inspect;
 
 pub(crate) use compare::Compare;

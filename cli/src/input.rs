@@ -1,5 +1,6 @@
 //! Meshes from files, and from standard input where the name is `-`.
 
+use onering::ring;
 use onering_io::{Format, Options, Triangles};
 use std::io::{self, Read};
 use std::path::Path;
@@ -43,6 +44,9 @@ pub(crate) fn mesh_in(
     options: Options,
 ) -> Result<Triangles, String> {
     let named = |error: onering_io::Error| format!("{}: {error}", name_of(path));
+    if format_of(bytes, path, format) == Some(Format::Ring) {
+        return ring::File::from_bytes(bytes).and_then(|file| ring::triangles(&file)).map_err(named);
+    }
     match format {
         Some(format) => options.read_as(bytes, format).map_err(named),
         None if is_standard(path) => options.read(bytes).map_err(named),

@@ -1,27 +1,24 @@
-//! Every real OBJ and glTF file gives the figures of the manifest, which come from an independent reader; every
+//! Every real file gives the figures of the manifest, which come from an independent reader; every
 //! broken one ends as its manifest asks.
 
 mod common;
 
 use serde_json::Value;
 
-fn is_read(entry: &Value) -> bool {
-    ["OBJ", "glTF", "GLB", "obj", "gltf"].contains(&entry["format"].as_str().unwrap())
-}
-
 #[test]
 fn real_files_give_the_figures_of_the_manifest() {
     let Some((folder, entries)) = common::meshes() else { return };
-    let entries: Vec<&Value> = entries.iter().filter(|entry| is_read(entry)).collect();
-    assert!(entries.len() >= 26, "only {} files of formats that are read", entries.len());
+    assert!(entries.len() >= 56, "only {} files", entries.len());
     let files = entries.iter().map(|entry| folder.join(entry["file"].as_str().unwrap()).into_os_string());
     let run = common::onering(["inspect".into(), "--json".into()].into_iter().chain(files));
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""));
     let found = run.json_lines();
     assert_eq!(found.len(), entries.len());
-    for (found, entry) in found.iter().zip(entries) {
+    for (found, entry) in found.iter().zip(&entries) {
         let name = entry["file"].as_str().unwrap();
-        assert_eq!(found["format"], entry["format"], "{name}");
+        // `PLY ascii`, `X3D XML`, `VRML97`.
+        let format = found["format"].as_str().unwrap();
+        assert!(entry["format"].as_str().unwrap().starts_with(format), "{name}: {format}");
         check(name, found, &entry["figures"]);
     }
 }
@@ -30,6 +27,13 @@ fn check(name: &str, found: &Value, figures: &Value) {
     for (key, expected) in figures.as_object().unwrap() {
         match key.as_str() {
             "bbox_min" | "bbox_max" | "area" | "signed_volume" => {}
+            // Of the inside of a file and not of the mesh in it.
+            "stl_corners"
+            | "stl_negzero_distinct_vertices"
+            | "stl_f64_distinct_vertices"
+            | "off_keyword"
+            | "face_sets"
+            | "tristrips" => {}
             "topology" | "welded" if expected.is_object() => {
                 let expected = expected.as_object().unwrap();
                 let found = found[key].as_object().unwrap();
@@ -65,12 +69,11 @@ fn check_floats(name: &str, found: &Value, figures: &Value) {
 #[test]
 fn broken_files_end_as_their_manifest_asks() {
     let Some((folder, entries)) = common::malformed() else { return };
-    let entries: Vec<&Value> = entries.iter().filter(|entry| is_read(entry)).collect();
-    assert!(entries.len() >= 24, "only {} files", entries.len());
-    for entry in entries {
+    assert!(entries.len() >= 60, "only {} files", entries.len());
+    for entry in &entries {
         let name = entry["file"].as_str().unwrap();
         let path = folder.join(name);
-        let run = common::onering(["inspect".as_ref(), "--json".as_ref(), path.as_os_str()]);
+        let run = common::onering_in_little_memory(["inspect".as_ref(), "--json".as_ref(), path.as_os_str()]);
         match (run.code, entry["expect"].as_str().unwrap()) {
             (Some(0), "accept" | "either") => {
                 let found = &run.json_lines()[0];

@@ -41,7 +41,10 @@ pub(crate) struct Convert {
     /// Write these values as well, where OUT can hold them, and as colours where it has colours; the first is shown
     #[arg(long = "attribute", value_name = "NAME", value_delimiter = ',', long_help = attribute_help())]
     pub(crate) attributes: Vec<Attribute>,
-    /// The data structure whose arrays go into a `.ring` file
+    /// Text instead of bytes, where OUT can be either, as PLY can
+    #[arg(long)]
+    pub(crate) ascii: bool,
+    /// The data structure whose arrays go into a `.ring` file [default: directed-edges-small]
     #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(BACKENDS.iter().map(|b| b.name)))]
     backend: Option<String>,
     /// Do not say what was changed
@@ -60,6 +63,11 @@ impl Convert {
         self.to.or(self.format.filter(|_| self.is_for_output()))
     }
 
+    /// Whose arrays go into a `.ring` file.
+    pub(crate) fn backend(&self) -> &str {
+        self.backend.as_deref().unwrap_or(ring::DEFAULT)
+    }
+
     /// What `--format` is about.
     fn is_for_output(&self) -> bool {
         input::is_standard(&self.output)
@@ -76,7 +84,9 @@ impl Convert {
                 "standard output has no name that tells its format: add --format; written are {written}"
             ));
         }
-        if self.backend.is_some() && !ring::is_named(&self.output) {
+        let is_ring =
+            self.output_format().map_or(ring::is_named(&self.output), |format| format == Format::Ring);
+        if self.backend.is_some() && !is_ring {
             fail("--backend is for `.ring` files: other formats hold no data structure");
         }
     }

@@ -9,8 +9,13 @@ pub(super) fn read() -> String {
 }
 
 /// How the names of files end that can be written.
-pub(super) fn written() -> String {
-    dotted(Format::is_written)
+pub(crate) fn written() -> String {
+    dotted(is_written)
+}
+
+/// Whether it can be written: the files of `io`, and onering's own.
+pub(crate) fn is_written(format: Format) -> bool {
+    format.is_written() || format == Format::Ring
 }
 
 /// A format that is read, as an argument.
@@ -20,7 +25,7 @@ pub(super) fn parse_read() -> impl TypedValueParser<Value = Format> {
 
 /// A format that is written, as an argument.
 pub(super) fn parse_written() -> impl TypedValueParser<Value = Format> {
-    parser(Format::is_written)
+    parser(is_written)
 }
 
 fn names(which: fn(Format) -> bool) -> impl Iterator<Item = &'static str> {

@@ -42,12 +42,16 @@ impl Summary {
     pub(crate) fn of(options: &args::Convert, mesh: &Triangles, format: String, target: &Target) -> Self {
         let source = input::name_of(&options.input);
         let counts = Counts::of(mesh);
+        let mut done: Vec<_> = mesh.notes.iter().map(|note| ("note", note.to_string())).collect();
+        if target.loses_faces() {
+            done.push(("lost", "vertex-graph holds vertices and edges only, no faces".into()));
+        }
         Self {
             head: format!("{source} ({format}) -> {} ({})", target.name(), target.format()),
             before: counts,
             after: counts,
             format: target.format(),
-            done: mesh.notes.iter().map(|note| ("note", note.to_string())).collect(),
+            done,
         }
     }
 

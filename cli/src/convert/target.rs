@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::ring;
 use crate::{args, input};
-use onering_io::{Error, Format, MeshRef};
+use onering_io::{Error, Format, MeshRef, SaveOptions};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -14,27 +14,34 @@ pub(crate) struct Target {
     /// `None` for standard output.
     path: Option<PathBuf>,
     format: Format,
+    /// Whose arrays go into a `.ring` file.
+    backend: String,
+    how: SaveOptions,
 }
 
 impl Target {
     /// What the options ask for, as far as it can be written.
     pub(crate) fn of(options: &args::Convert) -> Result<Self, Failure> {
         let output = &options.output;
-        if ring::is_named(output) {
-            return Err(ring::refusal(output));
-        }
         let path = (!input::is_standard(output)).then(|| output.clone());
         let by_name = || path.as_deref().and_then(Format::of_extension);
         let format = options.output_format().or_else(by_name).ok_or_else(|| unknown(output))?;
-        if !format.is_written() {
+        if !args::is_written(format) || format == Format::Ring && ring::is_packed(output) {
             return Err(Failure::Usage(Error::ReadOnly { format, path }.to_string()));
         }
         path.as_deref().map_or(Ok(()), check_folder)?;
-        Ok(Self { path, format })
+        let mut how = SaveOptions::default();
+        how.ascii = options.ascii;
+        Ok(Self { path, format, backend: options.backend().into(), how })
     }
 
     pub(crate) fn format(&self) -> Format {
         self.format
+    }
+
+    /// Whether only vertices and edges will be there.
+    pub(crate) fn loses_faces(&self) -> bool {
+        self.format == Format::Ring && self.backend == "vertex-graph"
     }
 
     /// What to call it.
@@ -43,25 +50,24 @@ impl Target {
     }
 
     pub(crate) fn write(&self, mesh: MeshRef<'_>) -> Result<(), Failure> {
-        let Self { path, format } = self;
+        let Self { path, format, backend, how } = self;
+        if *format == Format::Ring {
+            return ring::write(path.as_deref(), mesh, backend);
+        }
         match path {
             Some(path) => {
-                onering_io::save_as(path, mesh, *format).map_err(|error| Failure::Output(error.to_string()))
+                how.save_as(path, mesh, *format).map_err(|error| Failure::Output(error.to_string()))
             }
-            None => {
-                onering_io::write(io::stdout().lock(), mesh, *format).map_err(Failure::of_standard_output)
-            }
+            None => how.write(io::stdout().lock(), mesh, *format).map_err(Failure::of_standard_output),
         }
     }
 }
 
 fn unknown(output: &Path) -> Failure {
-    let names = Format::all().filter(|format| format.is_written()).flat_map(Format::extensions);
-    let names: Vec<String> = names.map(|name| format!(".{name}")).collect();
     Failure::Usage(format!(
         "{}: its name tells no format that is written; those are {}, or say --to",
         output.display(),
-        names.join(", ")
+        args::written(),
     ))
 }
 

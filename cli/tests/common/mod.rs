@@ -21,6 +21,17 @@ pub(crate) fn onering<S: AsRef<OsStr>>(args: impl IntoIterator<Item = S>) -> Run
     of(&command().args(args).output().unwrap())
 }
 
+/// As [`onering`], with 200 MB of memory and ten seconds of processor at most, where there is a shell to say so.
+pub(crate) fn onering_in_little_memory<S: AsRef<OsStr>>(args: impl IntoIterator<Item = S>) -> Run {
+    if cfg!(not(target_os = "linux")) {
+        return onering(args);
+    }
+    let limited = "ulimit -v 200000 && ulimit -t 10 && exec \"$0\" \"$@\"";
+    let mut shell = Command::new("sh");
+    shell.args(["-c", limited, env!("CARGO_BIN_EXE_onering")]).args(args);
+    of(&shell.output().unwrap())
+}
+
 pub(crate) fn command() -> Command {
     Command::new(env!("CARGO_BIN_EXE_onering"))
 }
