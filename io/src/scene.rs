@@ -122,7 +122,7 @@ impl<'a> Scene<'a> {
 
     /// The line of byte `at`: linear in `at`.
     pub(crate) fn line(&self, at: usize) -> Place {
-        Place::Line(Words::new(self.bytes, None).from_byte(at.min(self.bytes.len())).line())
+        Place::Line(Words::new(self.bytes, None).starting_at(at.min(self.bytes.len())).line())
     }
 
     /// Reads the numbers of all nodes.

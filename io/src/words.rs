@@ -20,7 +20,7 @@ impl<'a> Words<'a> {
     }
 
     /// The same words from byte `at` on; lines are still counted from the beginning.
-    pub(crate) fn from_byte(mut self, at: usize) -> Self {
+    pub(crate) fn starting_at(mut self, at: usize) -> Self {
         (self.at, self.last) = (at, at);
         self
     }

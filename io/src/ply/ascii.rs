@@ -18,7 +18,7 @@ pub(super) struct Ascii<'a> {
 
 impl<'a> Ascii<'a> {
     pub(super) fn new(bytes: &'a [u8], end: usize) -> Self {
-        Self { bytes, words: Words::new(bytes, None).from_byte(end), last: b"" }
+        Self { bytes, words: Words::new(bytes, None).starting_at(end), last: b"" }
     }
 
     #[inline(always)]
