@@ -39,8 +39,11 @@ fn most_bytes(bytes: &[u8], format: Option<Format>) -> usize {
     let is_packed = bytes.starts_with(&[0x1F, 0x8B, 8]);
     let unpacked = if is_packed { (100 * bytes.len()).max(16 << 20) } else { bytes.len() };
     match format {
-        Some(Format::Obj) => 6 * unpacked,
-        _ => (48 * unpacked).max(800_000),
+        Some(Format::Stl) => 2 * unpacked,
+        Some(Format::Obj | Format::Off) => 6 * unpacked,
+        Some(Format::Ply) => 16 * unpacked,
+        Some(Format::Gltf | Format::Glb) => (48 * unpacked).max(800_000),
+        _ => (54 * unpacked).max(900_000),
     }
 }
 

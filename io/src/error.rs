@@ -150,7 +150,7 @@ pub enum Reason {
         /// What is wrong with it.
         problem: &'static str,
     },
-    /// The file ends before all is there that it declares.
+    /// A text file ends where something is not complete.
     #[error("the file ends before {item} does")]
     Ends {
         /// What was read when it ended.
@@ -162,14 +162,8 @@ pub enum Reason {
         /// How many it has.
         found: usize,
     },
-    /// A word that should be a count is none.
-    #[error("`{word}` is not a count")]
-    BadCount {
-        /// The word, or its beginning.
-        word: String,
-    },
     /// Fewer elements than the file says it has.
-    #[error("{declared} {what} are declared, but only {present} are there")]
+    #[error("only {present} of {declared} declared {what} are there")]
     Missing {
         /// What there is too little of, in the plural.
         what: &'static str,
@@ -183,12 +177,6 @@ pub enum Reason {
     LoopSize {
         /// How many it has.
         found: usize,
-    },
-    /// The file ends where something is not complete.
-    #[error("the file ends inside {what}")]
-    EndsInside {
-        /// What is not complete.
-        what: &'static str,
     },
     /// Nothing in the file looks like its format.
     #[error("this is not {expected}")]
@@ -208,8 +196,8 @@ pub enum Reason {
         /// The version that the document asks for, or the beginning of what stands there.
         version: String,
     },
-    /// Something ends before it should.
-    #[error("{item} needs {needed} bytes, but there are {available}")]
+    /// Something ends before it should, by its length in bytes.
+    #[error("{item} needs {needed} byte{}, but there are {available}", if *needed == 1 { "" } else { "s" })]
     TooShort {
         /// What ends too early.
         item: Item,

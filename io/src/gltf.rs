@@ -31,6 +31,7 @@ use self::document::Document;
 use self::primitive::Assembly;
 use crate::error::quote;
 use crate::load::Request;
+use crate::text::without_byte_order_mark;
 use crate::{Error, Format, Place, Reason, Triangles};
 
 pub(crate) use self::writer::write as write_glb;
@@ -121,10 +122,6 @@ fn format_of(bytes: &[u8]) -> Format {
 /// Whether the first character is the `{` of a JSON object.
 pub(crate) fn looks_like_json(bytes: &[u8]) -> bool {
     without_byte_order_mark(bytes).trim_ascii_start().first() == Some(&b'{')
-}
-
-fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
 }
 
 fn check_version(document: &Document) -> Result<(), Reason> {

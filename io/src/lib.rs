@@ -8,7 +8,6 @@
 //! | format | extensions | module |
 //! |---|---|---|
 //! | Wavefront OBJ | `.obj` | [`obj`] |
-//! | PLY | `.ply` | [`ply`] |
 //! | glTF 2.0 | `.gltf`, `.glb` | [`gltf`] |
 //! | PLY | `.ply` | [`ply`] |
 //! | X3D, as XML | `.x3d` | [`x3d`] |

@@ -92,12 +92,22 @@ impl Options {
 ///
 /// # Time and memory
 /// Linear in the bytes of the file and its buffers, whatever is in them; they are in memory as a whole while
-/// they are read. The result has at most 6 bytes for each byte of an OBJ file, and 48 for each byte of a glTF
-/// document and its files, or 800 kB: see [`gltf::read_beside`](crate::gltf::read_beside). The same limit holds for
-/// X3D and VRML, where nodes may share their points. While it is made, memory
-/// besides the file is at most 20 bytes for each byte of an OBJ file. For a glTF document it is at most 100 for each
-/// of its bytes and of its files, and 140 more for each byte of JSON; few files come near that. A gzip file counts
-/// as what is in it, which is at most 100 times as large, or 16 MiB.
+/// they are read. A gzip file counts as what is in it, which is at most 100 times as large, or 16 MiB. For each byte
+/// of the file, the result has at most so many:
+///
+/// | format | bytes | reached by |
+/// |---|---|---|
+/// | STL | 2 | ASCII, every number a digit; less than 1 for binary |
+/// | OBJ, OFF | 6 | a polygon of many corners of a digit each |
+/// | PLY | 16 | a binary strip of a byte for each corner, in a file with other polygons |
+/// | glTF and its buffers | 48, or 800 kB in all | lists of points that are named again and again |
+/// | X3D, VRML | 54, or 900 kB in all | the same, in a file with other polygons |
+///
+/// While it is made, memory besides the file is at most 20 bytes for each byte of an OBJ file. For a glTF document it is
+/// at most 100 for each of its bytes and of its files, and 140 more for each byte of JSON (see
+/// [`gltf::read_beside`](crate::gltf::read_beside)); few files come near that. In the other formats each array of the
+/// result may take three times its size while it grows, and besides: [`stl::read`](crate::stl::read) says what welding
+/// takes, a PLY header 40 bytes for each of its own, and X3D and VRML up to 100 for each node or bracket.
 ///
 /// # Errors
 /// [`Error::Io`] if the file cannot be read, is a directory or a device, [`Error::UnknownFormat`], or what the

@@ -1,5 +1,6 @@
 //! What is written to a file: borrowed arrays.
 
+use std::collections::BTreeMap;
 use std::io;
 
 use crate::{Attribute, Error, Format, Place, Reason, Triangles};
@@ -43,6 +44,22 @@ impl<'a> MeshRef<'a> {
     /// The same mesh with values at its faces.
     pub fn with_face_attributes(self, face_attributes: &'a [Attribute<'a>]) -> Self {
         Self { face_attributes, ..self }
+    }
+
+    /// How many polygons of each corner count a format with polygons gets: as [`Triangles::polygon_sizes`], but for
+    /// the faces that are no fan. Linear in the faces.
+    pub fn polygon_sizes(&self) -> BTreeMap<usize, usize> {
+        let mut sizes = BTreeMap::new();
+        if self.polygon_starts.is_none() {
+            sizes.extend((!self.faces.is_empty()).then_some((3, self.faces.len())));
+            return sizes;
+        }
+        let counted = self.each_polygon(|corners, _| {
+            *sizes.entry(corners.len()).or_default() += 1;
+            Ok(())
+        });
+        debug_assert!(counted.is_ok(), "counting does not fail");
+        sizes
     }
 
     /// Refuses what no file could hold, before anything is written.
@@ -95,17 +112,6 @@ impl<'a> MeshRef<'a> {
             start = end;
         }
         Ok(())
-    }
-
-    /// How many polygons [`each_polygon`](Self::each_polygon) visits.
-    pub(crate) fn polygon_count(&self) -> usize {
-        let mut count = 0;
-        let counted = self.each_polygon(|_, _| {
-            count += 1;
-            Ok(())
-        });
-        debug_assert!(counted.is_ok(), "counting does not fail");
-        count
     }
 }
 

@@ -16,6 +16,16 @@ pub(crate) struct Polygons {
     starts: Option<Vec<u32>>,
 }
 
+/// The triangle that a corner of a strip makes with the last two before it. Every other one is turned, so that all wind
+/// alike.
+#[inline(always)]
+pub(crate) fn strip_triangle(last: [u32; 2], corner: u32, triangles_before: usize) -> [u32; 3] {
+    match triangles_before % 2 {
+        0 => [last[0], last[1], corner],
+        _ => [last[1], last[0], corner],
+    }
+}
+
 /// A polygon of which some corners were read.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Open {

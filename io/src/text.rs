@@ -31,7 +31,7 @@ const CLASS: [u8; 256] = {
 impl<'a> Scanner<'a> {
     /// At the first line, behind a byte order mark.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
-        Self::of_part(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes))
+        Self::of_part(without_byte_order_mark(bytes))
     }
 
     /// At the first line of a part of a file: what looks like a byte order mark is none.
@@ -150,6 +150,11 @@ impl<'a> Scanner<'a> {
         let blanks = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
         matches!(behind.get(blanks), None | Some(b'\n' | b'\r'))
     }
+}
+
+/// The bytes behind a UTF-8 byte order mark, if they begin with one.
+pub(crate) fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
 }
 
 /// Whether a line's text ends with a backslash that joins the next line to it.

@@ -20,6 +20,7 @@ use std::borrow::Cow;
 use self::tokens::{Token, Tokens, Unclosed, begins_number};
 use crate::memory::push;
 use crate::scene::{Coordinates, Field, Node, Scene};
+use crate::text::without_byte_order_mark;
 use crate::{Error, Format, Place, Reason, Skipped, Triangles};
 
 /// Whether a file says in its first line that it is VRML, of any version, or X3D.
@@ -54,10 +55,6 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
         return Err(Error::malformed(Format::Vrml, Place::File, Reason::NotThisFormat { expected }));
     }
     reader.run()
-}
-
-fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
 }
 
 /// A `{` or `[` that is not closed yet.

@@ -1,5 +1,7 @@
 //! Words of a text format in which line ends are blanks, over bytes.
 
+use crate::text::without_byte_order_mark;
+
 /// Reads words across lines. Where the format has comments, their first byte hides the rest of the line.
 #[derive(Clone, Debug)]
 pub(crate) struct Words<'a> {
@@ -15,7 +17,7 @@ pub(crate) struct Words<'a> {
 impl<'a> Words<'a> {
     /// At the first word of `bytes`, behind a byte order mark.
     pub(crate) fn new(bytes: &'a [u8], comment: Option<u8>) -> Self {
-        let at = if bytes.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 };
+        let at = bytes.len() - without_byte_order_mark(bytes).len();
         Self { bytes, at, comment, last: at, counted: (1, 0) }
     }
 

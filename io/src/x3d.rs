@@ -27,6 +27,7 @@ use self::attributes::{Attributes, Fault, unknown_reference};
 use crate::error::quote;
 use crate::memory::push;
 use crate::scene::{Coordinates, Kind, Node, Scene};
+use crate::text::without_byte_order_mark;
 use crate::{Error, Format, Place, Reason, Skipped, Triangles};
 
 const NO_ROOT: &str = "X3D: its root element is not `X3D`";
@@ -57,10 +58,6 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
         scene.malformed(error.valid_up_to(), Reason::Xml { message })
     })?;
     Reader { text, scene, open: Vec::new(), has_root: false, hidden_from: None }.run()
-}
-
-fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
-    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
 }
 
 /// An element that is not closed yet.

@@ -12,6 +12,10 @@ fn check_square(text: &str) {
     assert_eq!(mesh.polygon_sizes, [(4, 1)].into(), "{text}");
 }
 
+fn not_a_count(word: &str) -> Reason {
+    Reason::BadWord { word: word.into(), expected: "a count" }
+}
+
 fn refused(text: &str) -> (Place, Reason) {
     match read_as(text.as_bytes(), Format::Off) {
         Err(Error::Malformed { format: Format::Off, place, reason, .. }) => (place, reason),
@@ -78,10 +82,10 @@ fn errors_name_the_line() {
     let no_header = |text| matches!(refused(text).1, Reason::NotThisFormat { .. });
     assert!(no_header("") && no_header("OFF\n") && no_header("OFF\n4\n1\n"));
     for (from, to, line, reason) in [
-        ("4 1 4", "4 -1 4", 2, Reason::BadCount { word: "-1".into() }),
-        ("4 1 4", "4.0 1 4", 2, Reason::BadCount { word: "4.0".into() }),
+        ("4 1 4", "4 -1 4", 2, not_a_count("-1")),
+        ("4 1 4", "4.0 1 4", 2, not_a_count("4.0")),
         ("1 1 0", "1 y 0", 5, Reason::BadNumber { word: "y".into() }),
-        ("4 0", "x 0", 7, Reason::BadCount { word: "x".into() }),
+        ("4 0", "x 0", 7, not_a_count("x")),
         ("1 2 3", "1 2 4", 7, Reason::IndexOutOfRange { index: "4".into(), vertices: 4 }),
         ("1 2 3", "1 2 -1", 7, Reason::IndexOutOfRange { index: "-1".into(), vertices: 4 }),
         ("1 2 3", "1 2 1.5", 7, Reason::BadIndex { word: "1.5".into() }),

@@ -1,6 +1,8 @@
 //! STL files by topic, read and written.
 
-use onering_io::{Error, Format, MeshRef, Options, Place, Reason, Skipped, Triangles, read, read_as, write};
+use onering_io::{
+    Error, Format, Item, MeshRef, Options, Place, Reason, Skipped, Triangles, read, read_as, write,
+};
 use proptest::prelude::*;
 
 /// A binary file of these triangles, under this header.
@@ -82,7 +84,7 @@ fn bytes_behind_the_last_triangle_are_skipped_with_a_note() {
         assert_eq!(mesh.faces.len(), 2);
         let [note] = &mesh.notes[..] else { panic!("{:?}", mesh.notes) };
         assert_eq!((&note.what, note.count, note.first), (&Skipped::TrailingBytes, 51, Place::Byte(184)));
-        assert_eq!(note.to_string(), "51 bytes behind the last triangle skipped, the first at byte 184");
+        assert_eq!(note.to_string(), "51 bytes behind the last element skipped, the first at byte 184");
     }
 }
 
@@ -150,7 +152,7 @@ fn ascii_errors_name_the_line() {
         (FACET.replace("vertex 1 1 0\n", ""), 6, Reason::LoopSize { found: 2 }),
         (FACET.replace("endloop", "vertex 2 2 2\nendloop"), 8, Reason::LoopSize { found: 4 }),
         (FACET.replace("1 1 0", "1 x 0"), 6, Reason::BadNumber { word: "x".into() }),
-        (FACET.replace("endloop\nendfacet\n", ""), 6, Reason::EndsInside { what: "a loop" }),
+        (FACET.replace("endloop\nendfacet\n", ""), 6, Reason::Ends { item: Item::Face(0) }),
         (FACET.replace(" 1 0\nendloop\nendfacet\n", ""), 6, Reason::TooFewCoordinates { found: 1 }),
     ] {
         let (place, found) = refused(solid(text.clone()).as_bytes());

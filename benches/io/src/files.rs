@@ -2,7 +2,7 @@
 
 use crate::libraries as lib;
 use crate::shape::{Answer, Shape};
-use onering_io::{Format, MeshRef};
+use onering_io::{Format, MeshRef, SaveOptions};
 use std::error::Error;
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -56,9 +56,9 @@ pub(crate) const FILES: &[File] = &[
         name: "PLY ASCII",
         file_name: "mesh-ascii.ply",
         write: |mesh, path| {
-            let mut out = BufWriter::new(fs::File::create(path)?);
-            onering_io::ply::write_ascii(&mut out, MeshRef::new(&mesh.positions, &mesh.faces))?;
-            Ok(out.flush()?)
+            let mut options = SaveOptions::default();
+            options.ascii = true;
+            Ok(options.save(path, MeshRef::new(&mesh.positions, &mesh.faces))?)
         },
         readers: readers![
             "onering" lib::onering,

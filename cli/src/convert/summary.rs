@@ -4,7 +4,7 @@ use super::change::Change;
 use super::holds::Holds;
 use super::target::Target;
 use crate::{args, input};
-use onering_io::{Format, Triangles};
+use onering_io::{Format, MeshRef, Triangles};
 use std::fmt::{self, Display};
 
 /// A block of lines: from what to what, counts before and after, what was done, and what is lost.
@@ -27,14 +27,9 @@ struct Counts {
 
 impl Counts {
     fn of(mesh: &Triangles) -> Self {
-        let polygons = mesh.polygons().filter(|faces| is_fan(&mesh.faces[faces.clone()])).count();
+        let polygons = MeshRef::from(mesh).polygon_sizes().range(4..).map(|(_, count)| count).sum();
         Self { vertices: mesh.positions.len(), faces: mesh.faces.len(), polygons }
     }
-}
-
-/// `a b c`, `a c d`, ...: what is left of a polygon of more than three corners is one.
-fn is_fan(faces: &[[u32; 3]]) -> bool {
-    faces.len() > 1 && faces.windows(2).all(|two| two[0][0] == two[1][0] && two[0][2] == two[1][1])
 }
 
 impl Summary {

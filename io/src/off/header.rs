@@ -67,7 +67,7 @@ fn count(word: Option<&[u8]>, line: Place) -> Result<u64, Error> {
     let word = word.ok_or_else(|| malformed(line, missing))?;
     match index_prefix(word) {
         Some((false, count, [])) => Ok(count),
-        _ => Err(malformed(line, Reason::BadCount { word: quote(word) })),
+        _ => Err(malformed(line, Reason::BadWord { word: quote(word), expected: "a count" })),
     }
 }
 

@@ -85,7 +85,7 @@ impl<'a> Reader<'a> {
             }));
         };
         let Some((false, declared, [])) = index_prefix(word) else {
-            return Err(self.malformed(Reason::BadCount { word: quote(word) }).into());
+            return Err(self.malformed(Reason::BadWord { word: quote(word), expected: "a count" }).into());
         };
         let mut polygon = self.polygons.open();
         while (polygon.size as u64) < declared {

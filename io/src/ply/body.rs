@@ -7,7 +7,7 @@ use super::role::{Indices, Role};
 use super::source::Source;
 use crate::error::quote;
 use crate::memory::{push, reserve};
-use crate::polygons::Polygons;
+use crate::polygons::{Polygons, strip_triangle};
 use crate::triangles::skip;
 use crate::{Error, Item, Note, Place, Reason, Skipped, Triangles};
 
@@ -165,8 +165,7 @@ impl<'a, S: Source> Body<'a, S> {
             }
             let corner = self.corner(index, item)?;
             if length >= 2 {
-                let [a, b] = if length % 2 == 0 { last } else { [last[1], last[0]] };
-                self.polygons.triangle([a, b, corner])?;
+                self.polygons.triangle(strip_triangle(last, corner, length - 2))?;
             }
             last = [last[1], corner];
             length += 1;

@@ -1,6 +1,6 @@
 //! The two ways in which PLY has numbers.
 
-use std::io::Write;
+use crate::decimal::{f32_into, u64_into};
 
 /// Appends numbers to a row. Nothing can fail: the bytes are in memory.
 pub(super) trait Encoding {
@@ -46,8 +46,8 @@ impl Encoding for Ascii {
     const NAME: &'static str = "ascii";
 
     fn float(row: &mut Vec<u8>, value: f32) {
-        // As short as it can be for the same bits to be read: `0.1`, `1e-12`.
-        let _ = write!(row, "{value:?} ");
+        f32_into(row, value);
+        row.push(b' ');
     }
 
     fn uchar(row: &mut Vec<u8>, value: u8) {
@@ -55,7 +55,8 @@ impl Encoding for Ascii {
     }
 
     fn uint(row: &mut Vec<u8>, value: u32) {
-        let _ = write!(row, "{value} ");
+        u64_into(row, value.into());
+        row.push(b' ');
     }
 
     fn end(row: &mut Vec<u8>) {

@@ -116,7 +116,7 @@ impl<'a> Parser<'a> {
         let word = self.word(b"element")?;
         let count = match index_prefix(word) {
             Some((false, count, b"")) => usize::try_from(count).unwrap_or(usize::MAX),
-            _ => return Err(self.bad(word, "a number of elements")),
+            _ => return Err(self.bad(word, "a count")),
         };
         if !self.element_names.insert(name) {
             return Err(self.declaration(name, "is declared twice"));
@@ -158,7 +158,7 @@ impl<'a> Parser<'a> {
     }
 
     fn scalar_of(&mut self, name: &[u8]) -> Result<Scalar, Error> {
-        Scalar::of_name(name).ok_or_else(|| self.bad(name, "a type of numbers"))
+        Scalar::of_name(name).ok_or_else(|| self.bad(name, "a scalar type"))
     }
 
     /// The next word of the line that begins with `keyword`.

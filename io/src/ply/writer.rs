@@ -33,7 +33,7 @@ pub(crate) fn write(mesh: &MeshRef<'_>, out: &mut dyn Write, options: SaveOption
 }
 
 fn write_as<E: Encoding>(mesh: &MeshRef<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let faces = Faces::of(mesh)?;
+    let faces = Faces::of(mesh);
     write_header::<E>(mesh, &faces, out)?;
     let mut block = Block::new(out);
     let properties = Properties::of(mesh.vertex_attributes);
@@ -85,17 +85,13 @@ fn declare(attributes: &[Attribute<'_>], taken: &[&str], out: &mut dyn Write) ->
 }
 
 impl Faces {
-    fn of(mesh: &MeshRef<'_>) -> io::Result<Self> {
-        let (mut count, mut largest) = (0, 0);
-        mesh.each_polygon(|corners, _| {
-            count += 1;
-            largest = corners.len().max(largest);
-            Ok(())
-        })?;
+    fn of(mesh: &MeshRef<'_>) -> Self {
+        let sizes = mesh.polygon_sizes();
+        let largest = sizes.keys().last().copied().unwrap_or(0);
         // Most readers know `int`; `uint` is for meshes that need it.
         let int = |most: usize| if i32::try_from(most).is_ok() { "int" } else { "uint" };
         let size_type = if largest <= usize::from(u8::MAX) { "uchar" } else { int(largest) };
-        Ok(Self { count, size_type, corner_type: int(mesh.positions.len()) })
+        Self { count: sizes.values().sum(), size_type, corner_type: int(mesh.positions.len()) }
     }
 }
 

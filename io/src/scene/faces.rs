@@ -3,7 +3,7 @@
 use super::field::Numbers;
 use crate::error::quote;
 use crate::number::index_prefix;
-use crate::polygons::Polygons;
+use crate::polygons::{Polygons, strip_triangle};
 use crate::{Error, Reason};
 
 /// The corners of one geometry node.
@@ -140,12 +140,8 @@ impl<'a> Corners<'a> {
     }
 }
 
-/// A strip turns every other triangle, so that all wind alike.
 pub(super) fn strip(_: u32, last: [u32; 2], corner: u32, triangles: usize) -> [u32; 3] {
-    match triangles % 2 {
-        0 => [last[0], last[1], corner],
-        _ => [last[1], last[0], corner],
-    }
+    strip_triangle(last, corner, triangles)
 }
 
 pub(super) fn fan(first: u32, last: [u32; 2], corner: u32, _: usize) -> [u32; 3] {

@@ -6,13 +6,12 @@ use crate::memory::push;
 use crate::number::f32_of;
 use crate::triangles::skip;
 use crate::words::Words;
-use crate::{Error, Note, Place, Reason, Skipped};
+use crate::{Error, Item, Note, Place, Reason, Skipped};
 
 /// Whether the first word begins with `solid`, in upper or lower case. A name may follow without a blank.
 pub(super) fn begins_with_solid(bytes: &[u8]) -> bool {
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    let start = bytes.iter().position(|byte| !matches!(byte, b' ' | b'\t'..=b'\r')).unwrap_or(bytes.len());
-    bytes[start..].first_chunk::<5>().is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+    let word = Words::new(bytes, None).next().unwrap_or_default();
+    word.first_chunk::<5>().is_some_and(|start| start.eq_ignore_ascii_case(b"solid"))
 }
 
 /// The corners of the triangles, three by three, and notes on what was skipped.
@@ -92,7 +91,8 @@ impl Reader<'_> {
 
     fn finish(mut self) -> Result<(Vec<[f32; 3]>, Vec<Note>), Error> {
         if self.in_loop > 0 {
-            return Err(self.malformed(Reason::EndsInside { what: "a loop" }));
+            let item = Item::Face((self.corners.len() - self.in_loop) / 3);
+            return Err(self.malformed(Reason::Ends { item }));
         }
         match self.notes.first() {
             Some(note) if self.corners.is_empty() => {
