@@ -1,7 +1,7 @@
 //! Meshes from files, and from standard input where the name is `-`.
 
-use onering::ring;
-use onering_io::{Format, Options, Triangles};
+use onering::ring::{self, File};
+use onering_io::{Error, Format, Options, Triangles};
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -32,8 +32,8 @@ pub(crate) fn bytes_of(path: &Path) -> Result<Vec<u8>, String> {
     }
 }
 
-/// The mesh in the bytes of a file, or of standard input, which are of this format where one is given. Only a file
-/// whose format is told by the file itself may refer to others beside it.
+/// The mesh in the bytes of a file, or of standard input, which are of this format where one is given; and the format.
+/// Only a file whose format is told by the file itself may refer to others beside it.
 ///
 /// # Errors
 /// A line that names the file, and the place in it.
@@ -42,19 +42,22 @@ pub(crate) fn mesh_in(
     path: &Path,
     format: Option<Format>,
     options: Options,
-) -> Result<Triangles, String> {
-    let named = |error: onering_io::Error| format!("{}: {error}", name_of(path));
-    if format_of(bytes, path, format) == Some(Format::Ring) {
-        return ring::File::from_bytes(bytes).and_then(|file| ring::triangles(&file)).map_err(named);
-    }
-    match format {
-        Some(format) => options.read_as(bytes, format).map_err(named),
-        None if is_standard(path) => options.read(bytes).map_err(named),
-        None => options.read_at(bytes, path).map_err(|error| error.to_string()),
-    }
-}
-
-/// The format that [`mesh_in`] takes the bytes for; `None` also where that shows only once they are unpacked.
-pub(crate) fn format_of(bytes: &[u8], path: &Path, format: Option<Format>) -> Option<Format> {
-    format.or_else(|| Format::of(path, bytes))
+) -> Result<(Triangles, Format), String> {
+    let named = |error: Error| format!("{}: {error}", name_of(path));
+    let bytes = onering_io::unpacked(bytes).map_err(named)?;
+    let Some(found) = format.or_else(|| Format::of(path, &bytes)) else {
+        let hint = if is_standard(path) { " (or say --from)" } else { "" };
+        return Err(named(Error::UnknownFormat { path: None }) + hint);
+    };
+    let mesh = match format {
+        _ if found == Format::Ring => File::from_bytes(&bytes).and_then(|file| ring::triangles(&file)),
+        None if !is_standard(path) => {
+            return match options.read_at(&bytes, path) {
+                Ok(mesh) => Ok((mesh, found)),
+                Err(error) => Err(error.to_string()),
+            };
+        }
+        _ => options.read_as(&bytes, found),
+    };
+    Ok((mesh.map_err(named)?, found))
 }

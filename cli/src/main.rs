@@ -22,6 +22,7 @@ use std::process::ExitCode;
 static HEAP: heap::Counting = heap::Counting;
 
 fn main() -> ExitCode {
+    outlive_full_files();
     finish(args::read().and_then(|command| match command {
         None => Ok(Status::Done),
         Some(Command::Inspect(options)) => inspect::run(&options),
@@ -30,6 +31,17 @@ fn main() -> ExitCode {
         Some(Command::Completions(options)) => shell::completions(&options),
         Some(Command::Man(options)) => shell::man(&options),
     }))
+}
+
+/// A file that grows beyond what the system allows is an error to be told of, as a full disk is. Without a handler the
+/// signal ends the process, and leaves behind what was written so far.
+fn outlive_full_files() {
+    #[cfg(unix)]
+    {
+        use signal_hook::{consts::SIGXFSZ, flag};
+        // Where it cannot be had, all is as without it.
+        let _ = flag::register(SIGXFSZ, Default::default());
+    }
 }
 
 /// Whoever reads our output may stop early, as `head` does: that is no error.

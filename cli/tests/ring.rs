@@ -6,6 +6,7 @@ mod common;
 use common::{SQUARE, fresh, inspect, onering, onering_with_input};
 use onering::registry::BACKENDS;
 use std::fs;
+use std::io::Write;
 
 #[test]
 fn every_backend_goes_into_a_file_and_comes_out_again() {
@@ -82,4 +83,17 @@ fn what_makes_no_sense_is_refused() {
         assert_eq!(run.code, Some(2), "{run:?}");
         assert!(!out.exists());
     }
+}
+
+#[test]
+fn a_packed_file_is_unpacked() {
+    let start = fresh("packed", "square.obj", SQUARE);
+    let ring = start.with_file_name("square.ring");
+    assert_eq!(onering(["convert", start.to_str().unwrap(), ring.to_str().unwrap()]).code, Some(0));
+    let mut packed = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    packed.write_all(&fs::read(&ring).unwrap()).unwrap();
+    let file = start.with_file_name("square.ring.gz");
+    fs::write(&file, packed.finish().unwrap()).unwrap();
+    assert_eq!(inspect(&file)["format"], "ring");
+    assert_eq!(inspect(&file)["triangles"], 2);
 }

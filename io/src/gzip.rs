@@ -16,11 +16,12 @@ const MAGIC: &[u8] = &[0x1F, 0x8B, 8];
 const MOST_GROWTH: usize = 100;
 const SMALL: usize = 16 << 20;
 
-/// The bytes themselves, or what is packed in them.
+/// The bytes themselves, or what is packed in them by gzip. Every reader of this crate begins with this; what is
+/// unpacked already stays as it is.
 ///
 /// # Errors
-/// [`Error::Gzip`] where they are damaged, or grow beyond all measure.
-pub(crate) fn unpacked(bytes: &[u8]) -> Result<Cow<'_, [u8]>, Error> {
+/// [`Error::Gzip`] where they are damaged, or grow beyond all measure: to more than 100 times their size, and 16 MiB.
+pub fn unpacked(bytes: &[u8]) -> Result<Cow<'_, [u8]>, Error> {
     if !bytes.starts_with(MAGIC) {
         return Ok(Cow::Borrowed(bytes));
     }

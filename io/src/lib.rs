@@ -71,6 +71,7 @@ pub mod x3d;
 pub use attribute::{Attribute, Values};
 pub use error::{Error, Reason};
 pub use format::Format;
+pub use gzip::unpacked;
 pub use load::{Options, bytes_of, load, read, read_as, read_at};
 pub use mesh_ref::MeshRef;
 pub use place::{Item, Place};

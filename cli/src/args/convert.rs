@@ -97,7 +97,10 @@ fn in_help() -> String {
 }
 
 fn out_help() -> String {
-    format!("The file to write: {}, each also with .gz behind it; `-` is standard output", formats::written())
+    format!(
+        "The file to write: {}, each but .ring also with .gz behind it; `-` is standard output",
+        formats::written()
+    )
 }
 
 fn attribute_help() -> String {

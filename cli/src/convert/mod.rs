@@ -17,7 +17,7 @@ use attribute::Computed;
 use change::Change;
 use failure::Failure;
 use holds::Holds;
-use onering_io::{MeshRef, Options, Triangles};
+use onering_io::{Format, MeshRef, Options, Triangles};
 use std::io;
 use summary::Summary;
 use target::Target;
@@ -53,14 +53,12 @@ fn convert(options: &args::Convert) -> Result<Summary, Failure> {
     Ok(summary)
 }
 
-fn read(options: &args::Convert) -> Result<(Triangles, String), Failure> {
+fn read(options: &args::Convert) -> Result<(Triangles, Format), Failure> {
     let path = &options.input;
     let mut how = Options::default();
     how.weld_stl = !options.keep_corners;
     let bytes = input::bytes_of(path).map_err(Failure::Input)?;
-    let mesh = input::mesh_in(&bytes, path, options.input_format(), how).map_err(Failure::Input)?;
-    let format = input::format_of(&bytes, path, options.input_format());
-    Ok((mesh, format.map_or("packed with gzip".into(), |format| format.to_string())))
+    input::mesh_in(&bytes, path, options.input_format(), how).map_err(Failure::Input)
 }
 
 fn write(mesh: &Triangles, computed: &[Computed], target: &Target) -> Result<(), Failure> {

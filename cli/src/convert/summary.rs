@@ -34,7 +34,7 @@ impl Counts {
 
 impl Summary {
     /// Of a mesh as it was read.
-    pub(crate) fn of(options: &args::Convert, mesh: &Triangles, format: String, target: &Target) -> Self {
+    pub(crate) fn of(options: &args::Convert, mesh: &Triangles, format: Format, target: &Target) -> Self {
         let source = input::name_of(&options.input);
         let counts = Counts::of(mesh);
         let mut done: Vec<_> = mesh.notes.iter().map(|note| ("note", note.to_string())).collect();

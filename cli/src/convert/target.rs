@@ -26,8 +26,12 @@ impl Target {
         let path = (!input::is_standard(output)).then(|| output.clone());
         let by_name = || path.as_deref().and_then(Format::of_extension);
         let format = options.output_format().or_else(by_name).ok_or_else(|| unknown(output))?;
-        if !args::is_written(format) || format == Format::Ring && ring::is_packed(output) {
+        if !args::is_written(format) {
             return Err(Failure::Usage(Error::ReadOnly { format, path }.to_string()));
+        }
+        if format == Format::Ring && ring::is_packed(output) {
+            let why = "a .ring file is not packed, for it is to be mapped into memory";
+            return Err(Failure::Usage(format!("{}: {why}", output.display())));
         }
         path.as_deref().map_or(Ok(()), check_folder)?;
         let mut how = SaveOptions::default();

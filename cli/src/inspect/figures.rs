@@ -68,14 +68,13 @@ impl Inspection {
     pub(crate) fn of(path: &Path, format: Option<Format>) -> Result<Self, String> {
         let format = format.filter(|_| input::is_standard(path));
         let bytes = input::bytes_of(path)?;
-        let mesh = input::mesh_in(&bytes, path, format, Options::default())?;
-        let format = input::format_of(&bytes, path, format);
+        let (mesh, format) = input::mesh_in(&bytes, path, format, Options::default())?;
         let (length, sha256) = (bytes.len(), digest::of_bytes(&bytes));
         // What follows needs memory of its own.
         drop(bytes);
         Ok(Self {
             file: input::name_of(path),
-            format: format.map(|format| format.to_string()).unwrap_or_default(),
+            format: format.to_string(),
             bytes: length,
             sha256,
             ..Self::of_mesh(&mesh).map_err(|error| format!("{}: {error}", input::name_of(path)))?
