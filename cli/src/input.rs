@@ -1,5 +1,6 @@
 //! Meshes from files, and from standard input where the name is `-`.
 
+use crate::convert::ring::is_packed;
 use onering::ring;
 use onering_io::{Format, Options, Triangles};
 use std::io::{self, Read};
@@ -45,6 +46,9 @@ pub(crate) fn mesh_in(
 ) -> Result<Triangles, String> {
     let named = |error: onering_io::Error| format!("{}: {error}", name_of(path));
     if format_of(bytes, path, format) == Some(Format::Ring) {
+        if is_packed(path) && !bytes.starts_with(&onering_io::ring::MAGIC) {
+            return Err(format!("{}: a .ring file is not read packed: unpack it first", name_of(path)));
+        }
         return ring::File::from_bytes(bytes).and_then(|file| ring::triangles(&file)).map_err(named);
     }
     match format {
