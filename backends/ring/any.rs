@@ -1,6 +1,6 @@
 //! Any structure of the registry, by its name.
 use super::File;
-use super::problem::{of_header, of_section};
+use super::problem::{Problem, of_header, of_section};
 use crate::columns::Columns;
 use crate::{BuildError, FromFaces, Handle, Pairing, Topology, memory};
 use alloc::{borrow::Cow, boxed::Box, format, vec::Vec};
@@ -48,7 +48,7 @@ macro_rules! by_name {
     (@ topology $($more:ident)*; $mesh:ty, $file:ident) => {{
         let mesh = $file.mesh::<$mesh>()?;
         let faces = mesh.faces().map(|f| mesh.face_vertices(f).map(|v| v.index() as u32));
-        memory::collected(faces).map_err(|_| Error::OutOfMemory { path: None, bytes: 12 * mesh.face_count() })
+        memory::collected(faces).map_err(|_| $file.error(Problem::OutOfMemory { bytes: 12 * mesh.face_count() }))
     }};
 }
 with_backends!(by_name);
@@ -61,7 +61,7 @@ pub fn triangles(file: &File) -> Result<Triangles, Error> {
     let Some(positions) = file.positions() else {
         return Err(file.error(of_section(super::file::POSITIONS, 0, "is missing")));
     };
-    let out_of_memory = |_| Error::OutOfMemory { path: None, bytes: size_of_val(positions) };
+    let out_of_memory = |_| file.error(Problem::OutOfMemory { bytes: size_of_val(positions) });
     let positions = memory::collected(positions.iter().copied()).map_err(out_of_memory)?;
     Ok(Triangles::new(positions, faces(file)?))
 }

@@ -45,7 +45,7 @@ pub fn write(
 /// does not change, and what was there stays where this fails. O(bytes).
 ///
 /// # Errors
-/// [`Error::Write`], with what [`write`] says as its source.
+/// [`Error::Write`], with what [`write()`] says as its source.
 pub fn save(
     path: impl AsRef<Path>,
     mesh: &(impl Columns + ?Sized),

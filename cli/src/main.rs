@@ -39,8 +39,9 @@ fn outlive_full_files() {
     #[cfg(unix)]
     {
         use signal_hook::{consts::SIGXFSZ, flag};
+        use std::sync::{Arc, atomic::AtomicBool};
         // Where it cannot be had, all is as without it.
-        let _ = flag::register(SIGXFSZ, Default::default());
+        let _ = flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)));
     }
 }
 

@@ -329,3 +329,18 @@ fn real_meshes_survive() {
         }
     }
 }
+
+/// As a full disk does: the old file stays, and nothing is left beside it.
+#[cfg(unix)]
+#[test]
+fn a_file_that_may_not_grow_is_an_error() {
+    let start = fresh("full", "torus.obj", &torus(40));
+    let out = start.with_file_name("out.ply");
+    fs::write(&out, "old").unwrap();
+    let limited = "ulimit -f 8 && exec \"$0\" convert \"$1\" \"$2\"";
+    let mut shell = std::process::Command::new("sh");
+    shell.args(["-c", limited, env!("CARGO_BIN_EXE_onering")]).args([&start, &out]);
+    let run = common::of(&shell.output().unwrap());
+    assert_untouched(&run, 1, &out, "old", 2);
+    assert!(run.err.starts_with(&format!("onering: {}: ", out.display())), "{run:?}");
+}

@@ -31,6 +31,10 @@ pub fn unpacked(bytes: &[u8]) -> Result<Cow<'_, [u8]>, Error> {
     let mut piece = [0; 1 << 16];
     loop {
         let length = packed.read(&mut piece).map_err(|source| damaged(source.to_string()))?;
+        if length == 0 && unpacked.starts_with(MAGIC) {
+            // Each time over it might grow by as much again.
+            return Err(damaged("what is packed is itself packed with gzip".into()));
+        }
         if length == 0 {
             return Ok(Cow::Owned(unpacked));
         }

@@ -56,3 +56,9 @@ fn a_name_with_gz_is_written_packed() {
     assert!(bytes.starts_with(&[0x1F, 0x8B]));
     assert_eq!(read.unwrap(), mesh);
 }
+
+#[test]
+fn what_is_packed_twice_is_refused() {
+    let error = onering_io::read(&packed(&packed(SQUARE))).unwrap_err().to_string();
+    assert_eq!(error, "gzip: what is packed is itself packed with gzip");
+}

@@ -22,7 +22,7 @@ pub(crate) fn is_named(path: &Path) -> bool {
     Format::of_extension(path) == Some(Format::Ring) && !is_packed(path)
 }
 
-/// A packed file could not be mapped into memory.
+/// Whether the name is that of a packed file, which could not be mapped into memory.
 pub(crate) fn is_packed(path: &Path) -> bool {
     path.extension().is_some_and(|end| end.eq_ignore_ascii_case("gz"))
 }

@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::ring;
 use crate::{args, input};
-use onering_io::{Error, Format, MeshRef, SaveOptions};
+use onering_io::{Format, MeshRef, SaveOptions};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -27,11 +27,13 @@ impl Target {
         let by_name = || path.as_deref().and_then(Format::of_extension);
         let format = options.output_format().or_else(by_name).ok_or_else(|| unknown(output))?;
         if !args::is_written(format) {
-            return Err(Failure::Usage(Error::ReadOnly { format, path }.to_string()));
+            let (output, written) = (output.display(), args::written());
+            let problem = format!("{output}: {format} is read, but not written; written are {written}");
+            return Err(Failure::Usage(problem));
         }
         if format == Format::Ring && ring::is_packed(output) {
-            let why = "a .ring file is not packed, for it is to be mapped into memory";
-            return Err(Failure::Usage(format!("{}: {why}", output.display())));
+            let problem = "a .ring file is mapped into memory as it is, so it is not packed with gzip";
+            return Err(Failure::Usage(format!("{}: {problem}", output.display())));
         }
         path.as_deref().map_or(Ok(()), check_folder)?;
         let mut how = SaveOptions::default();
@@ -84,7 +86,7 @@ fn check_folder(path: &Path) -> Result<(), Failure> {
     let folder = path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     match fs::metadata(folder) {
         Err(error) => Err(failure(format!("its folder: {error}"))),
-        Ok(about) if !about.is_dir() => Err(failure("its folder is none".into())),
+        Ok(about) if !about.is_dir() => Err(failure("what should be its folder is none".into())),
         Ok(_) => Ok(()),
     }
 }
