@@ -105,7 +105,7 @@ impl Corners for Binary<'_> {
 
     #[inline(always)]
     fn corner(&self, corner: usize) -> [f32; 3] {
-        corners_of(&self.0[corner / 3])[corner % 3]
+        corner_of(&self.0[corner / 3], corner % 3)
     }
 
     fn into_positions(self) -> Result<Vec<[f32; 3]>, Error> {
@@ -118,8 +118,15 @@ impl Corners for Binary<'_> {
 
 #[inline(always)]
 fn corners_of(record: &[u8; RECORD]) -> [[f32; 3]; 3] {
-    let number = |i: usize| f32::from_le_bytes(std::array::from_fn(|byte| record[12 + 4 * i + byte]));
-    std::array::from_fn(|corner| std::array::from_fn(|axis| number(3 * corner + axis)))
+    std::array::from_fn(|corner| corner_of(record, corner))
+}
+
+/// One of the three.
+#[inline(always)]
+fn corner_of(record: &[u8; RECORD], corner: usize) -> [f32; 3] {
+    let number = |i: usize| f32::from_le_bytes(std::array::from_fn(|byte| record[i + byte]));
+    let at = 12 + 12 * corner;
+    [number(at), number(at + 4), number(at + 8)]
 }
 
 impl Corners for Vec<[f32; 3]> {

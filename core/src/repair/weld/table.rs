@@ -6,7 +6,10 @@ use alloc::vec::Vec;
 
 /// Vertices that are looked up together: the table is asked for all of them first, so that their cache misses
 /// overlap.
-const BLOCK: usize = 32;
+const BLOCK: usize = 256;
+
+/// Slots of the table that are looked at for each of them then: nearly all vertices are found there.
+const NEAR: usize = 4;
 
 /// Steps along the table, beyond the first, that each vertex may cost on average. A good hash needs one or two.
 const STEPS: usize = 16;
@@ -17,31 +20,78 @@ pub(super) fn weld(
     position: &impl Fn(usize) -> [f32; 3],
 ) -> Result<Option<Distinct>, BuildError> {
     let mut table = Table::new(target.len())?;
-    for (block, targets) in target.chunks_mut(BLOCK).enumerate() {
-        let start = block * BLOCK;
-        let mut seen = [(0, 0); BLOCK];
-        for (i, seen) in seen[..targets.len()].iter_mut().enumerate() {
-            let hash = hash(key(position(start + i)));
-            *seen = (hash, table.first_slot(hash));
-        }
+    let mut block = Block::new();
+    for (number, targets) in target.chunks_mut(BLOCK).enumerate() {
+        let (start, count) = (number * BLOCK, targets.len());
+        block.fill(count, |i| position(start + i));
+        block.look_up(count, &table);
         for (i, target) in targets.iter_mut().enumerate() {
-            let (hash, slot) = seen[i];
-            let (v, position) = (start + i, position(start + i));
-            // It may have become known since.
-            let known = table.vertex_at(slot, hash, position);
-            let known = known.or_else(|| table.vertex_at(table.first_slot(hash), hash, position));
-            *target = match known {
-                Some(vertex) => vertex,
-                None if is_nowhere(position) => table.distinct.push(v, position)?,
-                None => match table.find_or_insert(hash, v, position)? {
+            let (hash, position) = (block.hashes[i], block.positions[i]);
+            *target = match block.known[i] {
+                UNKNOWN => match table.resolve(hash, start + i, position)? {
                     Some(vertex) => vertex,
                     None => return Ok(None),
                 },
+                vertex => vertex,
             };
             table.remember(hash, *target);
         }
     }
     Ok(Some(table.distinct))
+}
+
+/// No vertex has this number: there are at most so many.
+const UNKNOWN: u32 = u32::MAX;
+
+/// Vertices on their way through the table. Each step is a short loop of its own: the processor runs ahead in it, from
+/// one cache miss to the next ones.
+struct Block {
+    positions: [[f32; 3]; BLOCK],
+    hashes: [u32; BLOCK],
+    slots: [u64; BLOCK],
+    /// Which of them are not among the recent ones.
+    distant: [u16; BLOCK],
+    known: [u32; BLOCK],
+}
+
+impl Block {
+    fn new() -> Self {
+        Self {
+            positions: [[0.0; 3]; BLOCK],
+            hashes: [0; BLOCK],
+            slots: [0; BLOCK],
+            distant: [0; BLOCK],
+            known: [UNKNOWN; BLOCK],
+        }
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, count: usize, position: impl Fn(usize) -> [f32; 3]) {
+        for (i, (place, hash)) in self.positions.iter_mut().zip(&mut self.hashes).take(count).enumerate() {
+            *place = position(i);
+            *hash = hash_of(key(*place));
+        }
+    }
+
+    /// The vertices that are known already.
+    #[inline(always)]
+    fn look_up(&mut self, count: usize, table: &Table) {
+        let mut distant = 0;
+        for (i, (slot, hash)) in self.slots.iter_mut().zip(&self.hashes).take(count).enumerate() {
+            *slot = table.recent[*hash as usize % RECENT];
+            self.distant[distant % BLOCK] = i as u16;
+            // A branch would be mispredicted too often.
+            distant += usize::from((*slot >> 32) as u32 != *hash);
+        }
+        for i in &self.distant[..distant] {
+            let i = usize::from(*i) % BLOCK;
+            self.slots[i] = table.near_home(self.hashes[i]);
+        }
+        for i in 0..count {
+            self.known[i] =
+                table.vertex_at(self.slots[i], self.hashes[i], self.positions[i]).unwrap_or(UNKNOWN);
+        }
+    }
 }
 
 /// Open addressing. A slot is the hash of a vertex above its number plus one; 0 is empty.
@@ -82,19 +132,40 @@ impl Table {
         (hash >> (32 - self.bits)) as usize
     }
 
-    /// Where the search for a vertex of this hash begins.
+    /// The slot of this hash among the first few from its home on, most often of one cache line; if there is none, one
+    /// of another hash.
     #[inline(always)]
-    fn first_slot(&self, hash: u32) -> u64 {
-        let recent = self.recent[hash as usize % RECENT];
-        if (recent >> 32) as u32 == hash { recent } else { self.slots[self.home(hash)] }
+    fn near_home(&self, hash: u32) -> u64 {
+        let home = self.home(hash);
+        let slot = |i: usize| self.slots[(home + i) & (self.slots.len() - 1)];
+        let better = |found: u64, slot: u64| if (found >> 32) as u32 == hash { found } else { slot };
+        (1..NEAR).map(slot).fold(slot(0), better)
     }
 
     /// The vertex of a slot, if it is at this position.
     #[inline(always)]
-    fn vertex_at(&self, slot: u64, hash: u32, position: [f32; 3]) -> Option<u32> {
-        let vertex = (slot as u32).wrapping_sub(1);
-        ((slot >> 32) as u32 == hash && self.distinct.positions.get(vertex as usize) == Some(&position))
-            .then_some(vertex)
+    fn vertex_at(&self, slot: u64, hash: u32, [x, y, z]: [f32; 3]) -> Option<u32> {
+        let is_same = (slot >> 32) as u32 == hash;
+        // The place of another vertex would only be a cache miss; that of the first one is at hand.
+        let vertex = if is_same { (slot as u32).wrapping_sub(1) } else { 0 };
+        // All in one: most are equal, and branches between would be in the way.
+        let equal = |[a, b, c]: &[f32; 3]| (*a == x) & (*b == y) & (*c == z);
+        let is_there = self.distinct.positions.get(vertex as usize).is_some_and(equal);
+        (is_same & is_there).then_some(vertex)
+    }
+
+    /// The vertex at this position, which may have become known since it was looked up. `None` where it took too many
+    /// steps.
+    #[inline(always)]
+    fn resolve(&mut self, hash: u32, v: usize, position: [f32; 3]) -> Result<Option<u32>, BuildError> {
+        let recent = self.vertex_at(self.recent[hash as usize % RECENT], hash, position);
+        if recent.is_some() {
+            Ok(recent)
+        } else if is_nowhere(position) {
+            self.distinct.push(v, position).map(Some)
+        } else {
+            self.find_or_insert(hash, v, position)
+        }
     }
 
     #[inline(always)]
@@ -150,7 +221,7 @@ fn slot_of(hash: u32, vertex: u32) -> u64 {
 
 /// Coordinates differ in few bits, often the higher ones: two multiplications bring them all to the first bits.
 #[inline(always)]
-fn hash([x, y, z]: [u32; 3]) -> u32 {
+fn hash_of([x, y, z]: [u32; 3]) -> u32 {
     let xy = (u64::from(x) | u64::from(y) << 32).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let xyz = (xy ^ xy >> 32 ^ u64::from(z)).wrapping_mul(0xD6E8_FEB8_6659_FD93);
     (xyz >> 32) as u32
@@ -199,7 +270,7 @@ mod tests {
     #[test]
     fn chosen_positions_are_sorted() {
         let all = (0u32..).map(|i| [f32::from_bits(i), 1.0, 2.0]);
-        let chosen: Vec<_> = all.filter(|p| hash(key(*p)) >> 20 == 0x5A5).take(500).collect();
+        let chosen: Vec<_> = all.filter(|p| hash_of(key(*p)) >> 20 == 0x5A5).take(500).collect();
         check(&chosen, false);
     }
 }
