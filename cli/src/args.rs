@@ -10,12 +10,13 @@ pub(crate) use compare::Compare;
 pub(crate) use convert::Convert;
 pub(crate) use inspect::Inspect;
 
-use clap::error::ErrorKind;
+use crate::output::{self, Status};
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use onering::registry::BACKENDS;
 use std::io::{self, Write};
 use std::path::PathBuf;
+use std::process;
 
 /// One Topology trait, every triangle-mesh data structure.
 ///
@@ -87,9 +88,10 @@ pub(crate) fn command() -> clap::Command {
     Args::command()
 }
 
-/// Says what is wrong with the command line, and ends the process with 2.
+/// Says in a line what is wrong with the command line, and ends the process with 2.
 fn fail(message: &str) -> ! {
-    command().error(ErrorKind::InvalidValue, message).exit()
+    output::complain(message);
+    process::exit(Status::Nothing as i32)
 }
 
 /// The names of all backends.

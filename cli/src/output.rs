@@ -1,5 +1,6 @@
 //! How a run ends, and what goes to the terminal.
 
+use onering_io::one_line;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -33,15 +34,13 @@ impl Status {
 
 /// One line on standard error. A name with a line break in it does not make two.
 pub(crate) fn complain(message: &str) {
-    let line: String = message.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
     // Where standard error is closed, nobody is left to be told.
-    let _ = writeln!(io::stderr(), "onering: {line}");
+    let _ = writeln!(io::stderr(), "onering: {}", one_line(message));
 }
 
 /// Lines on standard error that are no complaint.
 pub(crate) fn tell(lines: &str) {
-    let text: String =
-        lines.chars().map(|c| if c.is_control() && c != '\n' { '\u{fffd}' } else { c }).collect();
+    let text: String = lines.lines().map(|line| one_line(line) + "\n").collect();
     let _ = io::stderr().write_all(text.as_bytes());
 }
 

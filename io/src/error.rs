@@ -12,7 +12,7 @@ use crate::{Format, Item, Place};
 #[non_exhaustive]
 pub enum Error {
     /// The file, or one that it refers to, could not be read.
-    #[error("{}{}: {source}", Colon(named_in), path.display())]
+    #[error("{}{}: {source}", Colon(named_in), name_of(path))]
     Io {
         /// The file that could not be read.
         path: PathBuf,
@@ -326,7 +326,7 @@ struct Colon<'a>(&'a Option<PathBuf>);
 
 impl fmt::Display for Colon<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.iter().try_for_each(|path| write!(f, "{}: ", path.display()))
+        self.0.iter().try_for_each(|path| write!(f, "{}: ", name_of(path)))
     }
 }
 
@@ -340,9 +340,9 @@ struct Location<'a> {
 impl fmt::Display for Location<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.path, self.place) {
-            (Some(path), Place::File) => write!(f, "{}: ", path.display()),
-            (Some(path), Place::Line(line)) => write!(f, "{}:{line}: ", path.display()),
-            (Some(path), place) => write!(f, "{}: {place}: ", path.display()),
+            (Some(path), Place::File) => write!(f, "{}: ", name_of(path)),
+            (Some(path), Place::Line(line)) => write!(f, "{}:{line}: ", name_of(path)),
+            (Some(path), place) => write!(f, "{}: {place}: ", name_of(path)),
             (None, Place::File) => write!(f, "{}: ", self.format),
             (None, place) => write!(f, "{} {place}: ", self.format),
         }
@@ -352,10 +352,23 @@ impl fmt::Display for Location<'_> {
 /// Words quoted in an error are cut here: a file may hold one word of a gigabyte.
 const QUOTED: usize = 60;
 
-/// The word as text of one line; bytes that are no UTF-8 and control characters become replacement
-/// characters, so that a file cannot write to the terminal what it likes.
+/// The word as text of one line; bytes that are no UTF-8 become replacement characters.
 pub(crate) fn quote(word: &[u8]) -> String {
     let cut = &word[..word.len().min(QUOTED)];
     let dots = if cut.len() < word.len() { "..." } else { "" };
-    String::from_utf8_lossy(cut).replace(char::is_control, "\u{FFFD}") + dots
+    one_line(&String::from_utf8_lossy(cut)) + dots
+}
+
+fn name_of(path: &Path) -> String {
+    one_line(&path.display().to_string())
+}
+
+/// The text without what a file or its name could play tricks with on a terminal: control characters, line ends, and
+/// marks that turn the direction of writing become replacement characters.
+pub fn one_line(text: &str) -> String {
+    let is_trick = |c: char| {
+        c.is_control()
+            || matches!(c, '\u{200E}' | '\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2066}'..='\u{2069}' | '\u{FEFF}')
+    };
+    text.replace(is_trick, "\u{FFFD}")
 }

@@ -69,7 +69,7 @@ mod words;
 pub mod x3d;
 
 pub use attribute::{Attribute, Values};
-pub use error::{Error, Reason};
+pub use error::{Error, Reason, one_line};
 pub use format::Format;
 pub use gzip::unpacked;
 pub use load::{Options, bytes_of, load, read, read_as, read_at};

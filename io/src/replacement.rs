@@ -26,7 +26,8 @@ impl Replacement {
     ///
     /// # Errors
     /// Where the file could not be written, before there is something to write: a folder that is not there or may
-    /// not be written to, a directory of this name, an old file that may not be written to.
+    /// not be written to, a directory of this name, an old file that may not be written to, or one that is named as an
+    /// open file, such as `/dev/stdout` where that was redirected: what others wrote to it would be lost.
     pub fn create(path: &Path) -> io::Result<Self> {
         match fs::metadata(path) {
             Ok(old) if old.is_dir() => {
@@ -36,6 +37,10 @@ impl Replacement {
                 let file = File::options().write(true).open(path)?;
                 Ok(Self { file, beside: None, target: path.to_owned() })
             }
+            Ok(_) if is_descriptor(path)? => Err(io::Error::new(
+                io::ErrorKind::InvalidInput,
+                "this is an open file by another name, which others write to as well: it is not replaced",
+            )),
             Ok(old) => {
                 let target = fs::canonicalize(path)?;
                 // Renaming asks for no right to the old file, but who made it read-only meant it.
@@ -112,13 +117,36 @@ impl Drop for Replacement {
 /// Where links lead to whose end does not exist yet. The system has found that they are no circle.
 fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     let mut end = path.to_owned();
-    while end.is_symlink() {
-        let link = fs::read_link(&end)?;
-        // A relative one starts from the folder that it is in.
-        end.pop();
-        end.push(link);
+    while let Some(next) = next_link(&end)? {
+        end = next;
     }
     Ok(end)
+}
+
+/// Whether the path leads through the list of a process's open files, as `/dev/stdout` and `/dev/fd/1` do. What stands
+/// there looks like a link, but is the open file itself.
+fn is_descriptor(path: &Path) -> io::Result<bool> {
+    let mut at = Some(path.to_owned());
+    while let Some(path) = at {
+        let folder = path.parent().map(fs::canonicalize);
+        if folder.is_some_and(|folder| folder.is_ok_and(|folder| folder.starts_with("/proc"))) {
+            return Ok(true);
+        }
+        at = next_link(&path)?;
+    }
+    Ok(false)
+}
+
+/// What the link at this path says; `None` where it is none.
+fn next_link(path: &Path) -> io::Result<Option<PathBuf>> {
+    if !path.is_symlink() {
+        return Ok(None);
+    }
+    let mut next = path.to_owned();
+    // A relative one starts from the folder that it is in.
+    next.pop();
+    next.push(fs::read_link(path)?);
+    Ok(Some(next))
 }
 
 /// A name that no other file of this process has. It does not grow with the target's, which may be as long as names

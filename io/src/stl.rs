@@ -50,7 +50,8 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Triangles, Error> {
 }
 
 fn is_ascii(bytes: &[u8]) -> bool {
-    let has_zero = || bytes.iter().take(HEADER).any(|byte| *byte == 0);
+    // Beyond the header as well: a count may have none. The numbers of the first triangles do.
+    let has_zero = || bytes.iter().take(512).any(|byte| *byte == 0);
     !has_binary_length(bytes) && ascii::begins_with_solid(bytes) && !has_zero()
 }
 

@@ -167,3 +167,11 @@ fn a_file_with_many_names_is_read_and_counted_once() {
         "{error}"
     );
 }
+
+#[test]
+fn errors_play_no_tricks_on_a_terminal() {
+    let error = onering_io::read("v \u{202E}\u{1B}[31m\u{2028} 0 0\n".as_bytes()).unwrap_err().to_string();
+    assert_eq!(error, "OBJ line 1: `\u{FFFD}\u{FFFD}[31m\u{FFFD}` is not a number");
+    let error = load("no\nsuch\u{202E}file").unwrap_err().to_string();
+    assert!(error.starts_with("no\u{FFFD}such\u{FFFD}file: "), "{error}");
+}

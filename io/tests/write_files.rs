@@ -313,3 +313,22 @@ mod unix {
         assert_eq!(folder.names(), ["a.glb", "a.obj", "a.ply", "a.ply.gz", "small.obj"]);
     }
 }
+
+/// What `/dev/stdout` leads to where standard output was redirected: others write to it as well.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_open_file_by_another_name_is_not_replaced() {
+    use std::os::fd::AsRawFd;
+    let path = std::env::temp_dir().join(format!("onering-descriptor-{}.obj", std::process::id()));
+    std::fs::write(&path, "old").unwrap();
+    let file = std::fs::File::open(&path).unwrap();
+    let mesh = onering_io::Triangles::new(vec![[0.0; 3]], Vec::new());
+    for list in ["/dev/fd", "/proc/self/fd"] {
+        let name = format!("{list}/{}", file.as_raw_fd());
+        let error = onering_io::save_as(&name, &mesh, onering_io::Format::Obj).unwrap_err().to_string();
+        assert!(error.starts_with(&name) && error.contains("not replaced"), "{error}");
+    }
+    let content = std::fs::read_to_string(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    assert_eq!(content, "old");
+}

@@ -1,12 +1,13 @@
 //! Figures for people to read.
 
 use super::figures::{Inspection, Topology, Welded};
+use onering_io::one_line;
 use std::collections::BTreeMap;
 use std::fmt::{Display, Write};
 
 /// All that is said of a file: the verdict, then a figure a line.
 pub(crate) fn lines(of: &Inspection) -> String {
-    let mut text = format!("{}: {}\n", of.file, of.verdict);
+    let mut text = format!("{}: {}\n", one_line(&of.file), of.verdict);
     let mut line = |name: &str, value: &dyn Display| {
         let _ = writeln!(text, "  {name:<34}{value}");
     };
