@@ -2,7 +2,7 @@
 
 use crate::libraries as lib;
 use crate::shape::{Answer, Shape};
-use onering_io::{Format, MeshRef, SaveOptions};
+use onering_io::{MeshRef, SaveOptions};
 use std::error::Error;
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -15,6 +15,8 @@ pub(crate) struct File {
     pub(crate) name: &'static str,
     pub(crate) file_name: &'static str,
     pub(crate) write: fn(&Shape, &Path) -> Outcome<()>,
+    /// Whether it is onering that writes it.
+    pub(crate) is_ours: bool,
     pub(crate) readers: &'static [Reader],
 }
 
@@ -41,12 +43,21 @@ pub(crate) const FILES: &[File] = &[
         name: "OBJ",
         file_name: "mesh.obj",
         write: six_decimals,
+        is_ours: false,
         readers: readers!["onering" lib::onering, "tobj 4" lib::tobj, "mesh-loader 0.1" lib::mesh_loader],
+    },
+    File {
+        name: "OBJ, shortest decimals",
+        file_name: "mesh-short.obj",
+        write: |mesh, path| save(mesh, path),
+        is_ours: true,
+        readers: readers!["onering" lib::onering],
     },
     File {
         name: "PLY binary",
         file_name: "mesh.ply",
         write: |mesh, path| save(mesh, path),
+        is_ours: true,
         readers: readers![
             "onering" lib::onering,
             "ply-rs-bw 4, typed" lib::ply_rs_bw,
@@ -60,6 +71,7 @@ pub(crate) const FILES: &[File] = &[
             options.ascii = true;
             Ok(options.save(path, MeshRef::new(&mesh.positions, &mesh.faces))?)
         },
+        is_ours: true,
         readers: readers![
             "onering" lib::onering,
             "ply-rs-bw 4, typed" lib::ply_rs_bw,
@@ -69,6 +81,7 @@ pub(crate) const FILES: &[File] = &[
         name: "STL binary",
         file_name: "mesh.stl",
         write: |mesh, path| save(mesh, path),
+        is_ours: true,
         readers: readers![
             "onering, not welded" lib::onering_corners,
             "stl_io 0.11, not welded" lib::stl_io_corners,
@@ -82,6 +95,7 @@ pub(crate) const FILES: &[File] = &[
         name: "STL ASCII",
         file_name: "mesh-ascii.stl",
         write: ascii_stl,
+        is_ours: false,
         readers: readers![
             "onering, welded" lib::onering,
             "onering, not welded" lib::onering_corners,
@@ -90,19 +104,39 @@ pub(crate) const FILES: &[File] = &[
             "mesh-loader 0.1, not welded" lib::mesh_loader,
         ],
     },
-    File { name: "OFF", file_name: "mesh.off", write: |mesh, path| save(mesh, path), readers: readers!["onering" lib::onering] },
+    File {
+        name: "OFF",
+        file_name: "mesh.off",
+        write: |mesh, path| save(mesh, path),
+        is_ours: true,
+        readers: readers!["onering" lib::onering],
+    },
     File {
         name: "GLB",
         file_name: "mesh.glb",
         write: |mesh, path| save(mesh, path),
+        is_ours: true,
         readers: readers!["onering" lib::onering, "gltf 1.4" lib::gltf],
     },
-    File { name: "X3D", file_name: "mesh.x3d", write: x3d, readers: readers!["onering" lib::onering] },
-    File { name: "VRML97", file_name: "mesh.wrl", write: vrml, readers: readers!["onering" lib::onering] },
+    File {
+        name: "X3D",
+        file_name: "mesh.x3d",
+        write: x3d,
+        is_ours: false,
+        readers: readers!["onering" lib::onering],
+    },
+    File {
+        name: "VRML97",
+        file_name: "mesh.wrl",
+        write: vrml,
+        is_ours: false,
+        readers: readers!["onering" lib::onering],
+    },
     File {
         name: "PLY binary, gzip",
         file_name: "mesh.ply.gz",
         write: |mesh, path| save(mesh, path),
+        is_ours: true,
         readers: readers!["onering" lib::onering],
     },
 ];

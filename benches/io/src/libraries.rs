@@ -67,7 +67,8 @@ impl Mesh for mesh_loader::Scene {
 
     fn answer(&self) -> Answer {
         let corners = |mesh: &'_ mesh_loader::Mesh| {
-            let corners: Vec<_> = mesh.faces.as_flattened().iter().map(|&v| mesh.vertices[v as usize]).collect();
+            let corners: Vec<_> =
+                mesh.faces.as_flattened().iter().map(|&v| mesh.vertices[v as usize]).collect();
             corners
         };
         Answer::of(self.meshes.iter().flat_map(corners))

@@ -8,9 +8,9 @@
 //! cargo run --release --manifest-path benches/io/Cargo.toml -- --triangles 1000000,10000000
 //! ```
 
+mod files;
 #[path = "../../../cli/src/heap.rs"]
 mod heap;
-mod files;
 mod libraries;
 mod measure;
 mod report;

@@ -9,7 +9,8 @@ pub(crate) fn table(mesh: &Shape, rows: &[Row]) -> String {
     text += "| format | file MB | what | ms, median | best | MB/s | of fs::read | peak MB |\n";
     text += "|---|---:|---|---:|---:|---:|---:|---:|\n";
     for row in rows {
-        let read = rows.iter().find(|other| other.format == row.format && other.what == "read, std::fs::read");
+        let read =
+            rows.iter().find(|other| other.format == row.format && other.what == "read, std::fs::read");
         let ratio = read.map_or(0.0, |read| read.median_seconds / row.median_seconds);
         let megabytes = row.file_bytes as f64 / 1e6;
         let _ = writeln!(
