@@ -59,7 +59,7 @@ const HARMLESS_BEGINNINGS: [&str; 3] = ["KHR_materials_", "KHR_texture_", "EXT_t
 /// # Errors
 /// As [`read_beside`]; a buffer in another file is [`Reason::Uri`].
 pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
-    read_format(bytes, format_of(bytes), None)
+    read_format(bytes, format_of(bytes), None, bytes.len() as u64)
 }
 
 /// Reads a glTF document or a GLB whose buffers may be files in `folder`, or below it.
@@ -78,14 +78,19 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
 /// vertex, a reference that is not followed, a mesh beyond that limit. [`Error::Unsupported`] for required extensions.
 /// [`Error::Io`] names the buffer's file that could not be read.
 pub fn read_beside(bytes: &[u8], folder: &Path) -> Result<Triangles, Error> {
-    read_format(bytes, format_of(bytes), Some(folder))
+    read_format(bytes, format_of(bytes), Some(folder), bytes.len() as u64)
 }
 
 pub(crate) fn read_request(bytes: &[u8], request: &Request<'_>) -> Result<Triangles, Error> {
-    read_format(bytes, request.format, request.folder)
+    read_format(bytes, request.format, request.folder, request.input_bytes)
 }
 
-fn read_format(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Triangles, Error> {
+fn read_format(
+    bytes: &[u8],
+    format: Format,
+    folder: Option<&Path>,
+    input_bytes: u64,
+) -> Result<Triangles, Error> {
     let malformed = |place, reason| Error::malformed(format, place, reason);
     let glb::Parts { json, bin } = match format {
         Format::Glb => glb::split(bytes)?,
@@ -97,7 +102,7 @@ fn read_format(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Tr
     if let Some(feature) = unsupported_extension(&document) {
         return Err(Error::Unsupported { format, path: None, place: Place::File, feature });
     }
-    let mut assembly = Assembly::new(Source::new(&document, format, bin, folder, bytes.len() as u64));
+    let mut assembly = Assembly::new(Source::new(&document, format, bin, folder, input_bytes));
     for (i, mesh) in document.meshes.iter().enumerate() {
         for (j, primitive) in mesh.primitives.iter().enumerate() {
             assembly.plan(primitive, Place::Primitive { mesh: i, primitive: j })?;

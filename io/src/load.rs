@@ -32,6 +32,8 @@ pub(crate) struct Request<'a> {
     pub(crate) format: Format,
     /// Where files may lie that this one names; `None` where it may name none.
     pub(crate) folder: Option<&'a Path>,
+    /// What a mesh that names the same data many times is measured by: the size of the file, of a packed one as it is.
+    pub(crate) input_bytes: u64,
     pub(crate) options: Options,
 }
 
@@ -78,9 +80,10 @@ impl Options {
         format_of: impl FnOnce(&[u8]) -> Option<Format>,
         folder: Option<&Path>,
     ) -> Result<Triangles, Error> {
+        let input_bytes = bytes.len() as u64;
         let bytes = gzip::unpacked(bytes)?;
         let format = format_of(&bytes).ok_or(Error::UnknownFormat { path: None })?;
-        format.read(&bytes, &Request { format, folder, options: *self })
+        format.read(&bytes, &Request { format, folder, input_bytes, options: *self })
     }
 }
 
