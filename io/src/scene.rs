@@ -20,7 +20,7 @@ use crate::words::Words;
 use crate::{Error, Format, Note, Place, Reason, Skipped, Triangles};
 
 /// Nodes may lie in one another up to this depth. Real scenes stay below a hundred; each level costs memory.
-const MAX_DEPTH: usize = 1_000_000;
+const MAX_DEPTH: usize = 10_000;
 
 /// A name that is defined by `DEF` and referred to by `USE`.
 pub(crate) type Name<'a> = Cow<'a, [u8]>;
@@ -97,11 +97,22 @@ impl<'a> Scene<'a> {
         self.names.get(name).copied().ok_or_else(unknown)
     }
 
-    /// Counts what is left out. The line is counted for the first of its kind only: all together are linear.
+    /// Counts what is left out. The line is counted from the start of the file, but for the first of its kind only, and
+    /// of kinds there are a few dozen: none has its name from the file. So all notes together are linear.
     pub(crate) fn note(&mut self, what: Skipped, count: usize, at: usize) {
         let is_known = self.notes.iter().any(|note| note.what == what);
         let first = if is_known { Place::File } else { self.line(at) };
         skip(&mut self.notes, what, count, first);
+    }
+
+    /// Counts a whole node that a `USE` repeats in the scene, but not in the mesh.
+    pub(crate) fn note_repeated(&mut self, at: usize) {
+        self.note(Skipped::Elements("USE".into()), 1, at);
+    }
+
+    /// Counts a node whose content a prototype describes.
+    pub(crate) fn note_instance(&mut self, at: usize) {
+        self.note(Skipped::Elements("ProtoInstance".into()), 1, at);
     }
 
     /// Refuses to go deeper than so many levels.

@@ -1,11 +1,11 @@
 //! VRML97, and X3D in its classic encoding: the faces of all geometry nodes.
 //!
 //! - `IndexedFaceSet`, `IndexedTriangleSet`, `TriangleSet`, `IndexedTriangleStripSet` and `IndexedTriangleFanSet` are
-//!   read in the order of the file, each once: a `USE` of a whole node adds nothing. Each appends all points of its
+//!   read in the order of the file, each once: a `USE` of a whole node adds nothing but a note. Each appends all points of its
 //!   `Coordinate`, again for every node that names it by `USE`.
 //! - Transforms are not applied, and with `ccw FALSE` corners stay in the order of the file (a
 //!   [note](Triangles::notes) says so). The bodies of prototypes are passed over, and no `Inline` or other file is
-//!   opened.
+//!   opened: a note counts each `Inline`, and as `ProtoInstance` each node of a type that a prototype before it names.
 //! - Other geometry, such as `Box`, is skipped with a note, and so are faces of fewer than three corners and geometry
 //!   without a `Coordinate`. Fields, nodes and scripts that have nothing to do with faces may hold anything, as long as
 //!   brackets and quotation marks are in order.
@@ -16,6 +16,7 @@
 mod tokens;
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 
 use self::tokens::{Token, Tokens, Unclosed, begins_number};
 use crate::memory::push;
@@ -38,7 +39,7 @@ pub(crate) fn begins_with_header(bytes: &[u8]) -> bool {
 /// [`Error::Malformed`] with the line at fault: brackets or quotation marks without a counterpart; a `USE` for
 /// coordinates of a name that no `Coordinate` before it has; points that are no multiple of three numbers; words that
 /// are no number or no index; a corner that names no point; a mesh beyond that limit. [`Error::Unsupported`] for VRML
-/// 1.0, and for more than a million nodes within one another.
+/// 1.0, and for more than 10,000 nodes within one another.
 pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
     let bytes = without_byte_order_mark(bytes);
     let reader = Reader {
@@ -46,6 +47,8 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
         scene: Scene::new(bytes, Format::Vrml, true),
         open: Vec::new(),
         name: None,
+        repeatable: HashSet::new(),
+        prototypes: HashSet::new(),
     };
     if bytes.starts_with(b"#VRML V1.0") {
         return Err(reader.scene.unsupported(0, "VRML 1.0".to_owned()));
@@ -91,6 +94,10 @@ struct Reader<'a> {
     open: Vec<Open>,
     /// What `DEF` calls the next node.
     name: Option<&'a [u8]>,
+    /// The names of nodes that are or hold geometry.
+    repeatable: HashSet<&'a [u8]>,
+    /// The types that prototypes define.
+    prototypes: HashSet<&'a [u8]>,
 }
 
 impl<'a> Reader<'a> {
@@ -130,17 +137,36 @@ impl<'a> Reader<'a> {
     fn node(&mut self, kind: &[u8]) -> Result<(), Error> {
         let at = self.tokens.last;
         let name = self.name.take();
-        let role = match Node::of(kind) {
+        let node = Node::of(kind);
+        if let Some(name) = name {
+            self.define(name, node)?;
+        }
+        let role = match node {
             Node::Geometry(kind) => Role::Geometry(self.scene.add_geometry(kind, at)?),
             Node::Coordinates => Role::Coordinates(self.coordinates(name)?),
             Node::Unread(kind) => {
                 self.scene.note(Skipped::Elements(kind.into()), 1, at);
                 Role::Node
             }
-            Node::Other => Role::Node,
+            Node::Other if self.prototypes.contains(kind) => {
+                self.scene.note_instance(at);
+                Role::Node
+            }
+            Node::Container | Node::Other => Role::Node,
         };
         self.next()?;
         self.push(role)
+    }
+
+    /// `DEF`: the last one of a name holds.
+    fn define(&mut self, name: &'a [u8], node: Node) -> Result<(), Error> {
+        match node {
+            Node::Geometry(_) | Node::Unread(_) | Node::Container => insert(&mut self.repeatable, name),
+            Node::Coordinates | Node::Other => {
+                self.repeatable.remove(name);
+                Ok(())
+            }
+        }
     }
 
     /// A Coordinate node, which the geometry around it may be waiting for.
@@ -155,10 +181,13 @@ impl<'a> Reader<'a> {
         Ok(number)
     }
 
-    /// `USE`: of coordinates, or of what does not matter.
+    /// `USE`: of coordinates, of a whole node, or of what does not matter.
     fn reference(&mut self) -> Result<(), Error> {
-        let name = self.tokens.word();
-        if let (Some(name), Some(geometry)) = (name, self.geometry_before(FieldName::Coord)) {
+        let Some(name) = self.tokens.word() else { return Ok(()) };
+        if self.repeatable.contains(name) {
+            self.scene.note_repeated(self.tokens.last);
+        }
+        if let Some(geometry) = self.geometry_before(FieldName::Coord) {
             let number = self.scene.named(&Cow::Borrowed(name), self.tokens.last)?;
             self.scene.geometry(geometry).coordinates = Some(Coordinates::Node(number));
         }
@@ -221,7 +250,9 @@ impl<'a> Reader<'a> {
 
     /// Steps over a prototype: its name, its interface, and its body or the address of it.
     fn prototype(&mut self) -> Result<(), Error> {
-        self.tokens.word();
+        if let Some(name) = self.tokens.word() {
+            insert(&mut self.prototypes, name)?;
+        }
         for _ in 0..2 {
             if matches!(self.tokens.peek(), Some(b'[' | b'{')) {
                 self.skip_brackets()?;
@@ -278,4 +309,11 @@ impl<'a> Reader<'a> {
     fn unclosed(&self, Unclosed { mark, at }: Unclosed) -> Error {
         self.scene.malformed(at, Reason::Unbalanced { mark })
     }
+}
+
+fn insert<'a>(names: &mut HashSet<&'a [u8]>, name: &'a [u8]) -> Result<(), Error> {
+    let bytes = names.len().saturating_mul(size_of::<&[u8]>());
+    names.try_reserve(1).map_err(|_| Error::OutOfMemory { path: None, bytes })?;
+    names.insert(name);
+    Ok(())
 }

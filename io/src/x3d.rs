@@ -1,11 +1,11 @@
 //! X3D as XML: the faces of all geometry nodes.
 //!
 //! - `IndexedFaceSet`, `IndexedTriangleSet`, `TriangleSet`, `IndexedTriangleStripSet` and `IndexedTriangleFanSet` are
-//!   read in the order of the file, each once: a `USE` of a whole node adds nothing. Each appends all points of its
+//!   read in the order of the file, each once: a `USE` of a whole node adds nothing but a note. Each appends all points of its
 //!   `Coordinate`, again for every node that names it by `USE`.
 //! - Transforms are not applied, and with `ccw="false"` corners stay in the order of the file (a
 //!   [note](Triangles::notes) says so). The bodies of prototypes are passed over, and no `Inline` or other file is
-//!   opened.
+//!   opened: a note counts each `ProtoInstance` and each `Inline`.
 //! - Other geometry, such as `Box`, is skipped with a note, and so are faces of fewer than three corners and geometry
 //!   without a `Coordinate`. Elements that have nothing to do with faces may hold anything that is well-formed.
 //! - A negative number ends a face; after the last one it may be missing. Commas are blanks. Numbers are decimal, with
@@ -37,7 +37,7 @@ pub(crate) fn looks_like_xml(bytes: &[u8]) -> bool {
     without_byte_order_mark(bytes).trim_ascii_start().first() == Some(&b'<')
 }
 
-/// Reads the geometry of an X3D document. Linear in its size; elements may lie in one another up to a million deep.
+/// Reads the geometry of an X3D document. Linear in its size; elements may lie in one another 10,000 deep.
 ///
 /// Geometry nodes may share their points, so the mesh may be larger than the file, but by a limit: it may have up to
 /// 4 vertices and faces for each byte of the file, or 65,536 in all.
@@ -129,15 +129,17 @@ impl<'a> Reader<'a> {
             return Ok(None);
         }
         match Node::of(local.as_bytes()) {
-            Node::Geometry(kind) if attributes.used.is_none() => {
-                self.geometry(kind, &attributes, at).map(Some)
+            Node::Geometry(_) | Node::Unread(_) | Node::Container if attributes.used.is_some() => {
+                self.scene.note_repeated(at);
+                Ok(None)
             }
-            Node::Unread(name) if attributes.used.is_none() => {
+            Node::Geometry(kind) => self.geometry(kind, &attributes, at).map(Some),
+            Node::Unread(name) => {
                 self.scene.note(Skipped::Elements(name.into()), 1, at);
                 Ok(None)
             }
             Node::Coordinates => self.coordinates(&attributes).map(|()| None),
-            _ => Ok(None),
+            Node::Container | Node::Other => Ok(None),
         }
     }
 

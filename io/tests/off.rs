@@ -100,15 +100,59 @@ fn errors_name_the_line() {
 }
 
 #[test]
-fn variants_that_are_not_read_are_named() {
-    for (keyword, expected) in [
-        ("4OFF", "OFF line 1: needs 4OFF (homogeneous coordinates), which is not supported"),
-        ("C4nOFF", "OFF line 1: needs 4OFF (homogeneous coordinates), which is not supported"),
-        ("nOFF\n3", "OFF line 1: needs nOFF (any number of dimensions), which is not supported"),
-        ("CNOFF BINARY", "OFF line 1: needs OFF BINARY, which is not supported"),
-    ] {
-        assert_eq!(read(PLAIN.replace("OFF", keyword).as_bytes()).unwrap_err().to_string(), expected);
+fn homogeneous_coordinates_are_divided() {
+    let text = "4OFF\n4 1 4\n0 0 0 7\n2 0 0 2 # c\n-3 -3 0 -3\n0 1e39 .5e39 1e39\n4 0 1 2 3 255 0 0\n";
+    check_square(text);
+    check_square(&text.replace("# c", ""));
+    check_square("4OFF 4 1\n0 0 0 7 2 0 0\n2 -3 -3 0 -3 0 1 .5 1 4 0\n1 2 3");
+    check_square("C4OFF\n4 1\n0 0 0 1 9\n1 0 0 1 9 9\n1 1 0 1 9\n0 2 1 2 9\n4 0 1 2 3\n");
+    check_square("4nOFF\n3\n4 1\n1 0 0 0\n2 2 0 0\n1 1 1 0\n2 0 2 1\n4 0 1 2 3\n");
+    // 16777217 is no f32: rounded before the division, the quotient would be 3355443.25.
+    let fifths = read(b"4OFF\n1 0 0\n16777217 1 -1 5\n").unwrap();
+    assert_eq!(
+        fifths.positions,
+        [[(16777217.0f64 / 5.0) as f32, (1.0f64 / 5.0) as f32, (-1.0f64 / 5.0) as f32]]
+    );
+    let infinite = read(b"4OFF\n1 0 0\n1 -1 0 0\n").unwrap().positions[0];
+    assert!(infinite[..2] == [f32::INFINITY, f32::NEG_INFINITY] && infinite[2].is_nan());
+    let short = Reason::Missing { what: "components of a vertex", declared: 4, present: 3 };
+    assert_eq!(refused("C4OFF\n2 0 0\n0 0 0 1\n1 1 1\n"), (Place::Line(4), short));
+    let word = Reason::BadNumber { word: "w".into() };
+    assert_eq!(refused("4OFF\n1 0 0\n0 0 0 w\n"), (Place::Line(3), word));
+}
+
+#[test]
+fn a_dimension_is_three() {
+    for dimension in ["\n3\n", " 3\n", " # c\n3 # d\n"] {
+        check_square(&PLAIN.replace("OFF\n", &format!("nOFF{dimension}")));
     }
+    for (dimension, line) in [("4", 2), ("2", 2), ("99999999999999999999", 2)] {
+        let error = read(PLAIN.replace("OFF", &format!("nOFF\n{dimension}")).as_bytes()).unwrap_err();
+        assert!(matches!(error, Error::Unsupported { place: Place::Line(l), .. } if l == line), "{error}");
+    }
+    let error = read(b"nOFF\n4\n1 0 0\n0 0 0 0\n").unwrap_err().to_string();
+    assert_eq!(error, "OFF line 2: needs nOFF of dimension 4, not 3, which is not supported");
+    let bad = (Place::Line(2), Reason::BadCount { word: "-3".into() });
+    assert_eq!(refused(&PLAIN.replace("OFF", "nOFF\n-3")), bad);
+    assert!(matches!(refused("nOFF\n").1, Reason::NotThisFormat { .. }));
+}
+
+/// Data may begin behind the counts; whatever else stands there is an error, never a vertex that is lost.
+#[test]
+fn words_behind_the_counts() {
+    check_square("OFF\n4 1 4 0 0 0\n1 0 0\n1 1 0\n0 1 .5\n4 0 1 2 3\n");
+    check_square("OFF 4 1 4 0\n0 0 1 0 0 1 1 0\n0 1 .5\n4 0 1 2 3\n");
+    check_square("4 1 4 0 0 0 1 0 0 1 1 0 0 1 .5 4 0 1 2 3");
+    let tetrahedron = "OFF\n4 4 6 0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+    let mesh = read(tetrahedron.as_bytes()).unwrap();
+    assert_eq!((mesh.positions[3], &mesh.faces[..2]), ([0.0, 0.0, 1.0], &[[0, 2, 1], [0, 1, 3]][..]));
+    let expected = "the end of the line behind the counts";
+    for text in [PLAIN.replace("4 1 4", "4 1 4 9"), PLAIN.replace("OFF\n4 1 4", "COFF\n4 1 4 9")] {
+        assert_eq!(refused(&text), (Place::Line(2), Reason::BadWord { word: "9".into(), expected }));
+    }
+    // Line by line a vertex is missing, and in one stream a word is left.
+    let broken = refused("OFF\n4 1 4 7 0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
+    assert!(matches!(broken, (Place::Line(_), Reason::BadWord { .. })), "{broken:?}");
 }
 
 /// A cut file is an error, or the same mesh with its last number cut.
@@ -150,7 +194,7 @@ proptest! {
     }
 
     #[test]
-    fn no_bytes_make_a_reader_panic(bytes: Vec<u8>, text in r"(ST)?C?OFF [0-9] [0-9]( |\n|#|-?[0-9.]{1,3}){0,60}") {
+    fn no_bytes_make_a_reader_panic(bytes: Vec<u8>, text in r"(ST)?C?4?(n)?OFF( 3)? [0-9] [0-9]( |\n|#|-?[0-9.]{1,3}){0,60}") {
         let _ = (read_as(&bytes, Format::Off), read_as(text.as_bytes(), Format::Off));
     }
 }

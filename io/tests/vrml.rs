@@ -72,7 +72,21 @@ fn what_is_no_geometry_may_hold_anything() {
          ROUTE s.a TO t.b\nROUTE s.a_changed TO t.set_b"
     );
     let mesh = parse(&body);
-    assert_eq!((mesh.faces, mesh.notes), (vec![[0, 1, 2]], vec![]));
+    let [note] = &mesh.notes[..] else { panic!("{:?}", mesh.notes) };
+    assert_eq!(mesh.faces, [[0, 1, 2]]);
+    // The node of type p.
+    assert_eq!(note.to_string(), "1 element of kind `ProtoInstance` skipped, the first at line 7");
+}
+
+#[test]
+fn what_stands_elsewhere_is_noted() {
+    let body = "EXTERNPROTO q [ ] \"q.wrl\"\nq { }\nInline { url \"a.wrl\" } Group { children [ q { } Inline { } ] }";
+    let notes: Vec<String> = parse(body).notes.iter().map(ToString::to_string).collect();
+    let expected = [
+        "2 elements of kind `ProtoInstance` skipped, the first at line 3",
+        "2 elements of kind `Inline` skipped, the first at line 4",
+    ];
+    assert_eq!(notes, expected);
 }
 
 #[test]
@@ -101,8 +115,13 @@ impl FirstCoordinates for Vec<[f32; 3]> {
 
 #[test]
 fn whole_nodes_are_not_repeated() {
-    let body = format!("{} Shape {{ geometry USE f }} USE s", FACE.replace("Indexed", "DEF f Indexed"));
-    assert_eq!(parse(&body).faces.len(), 1);
+    let face = FACE.replace("Indexed", "DEF f Indexed").replace("Shape", "DEF s Shape");
+    let mesh = parse(&format!("{face}\nShape {{ appearance USE a geometry USE f }} USE s"));
+    let [note] = &mesh.notes[..] else { panic!("{:?}", mesh.notes) };
+    assert_eq!(mesh.faces.len(), 1);
+    assert_eq!(note.to_string(), "2 elements of kind `USE` skipped, the first at line 3");
+    let renamed = "DEF s Shape { } DEF s Viewpoint { } USE s DEF a Appearance { } USE a";
+    assert_eq!(parse(renamed), Triangles::default());
 }
 
 #[test]
@@ -154,9 +173,12 @@ fn errors_tell_the_line_of_the_word() {
 #[test]
 fn depth_does_not_exhaust_the_stack() {
     let deep = |depth: usize| format!("{}{FACE}{}", "a{b[".repeat(depth), "]}".repeat(depth));
-    assert_eq!(parse(&deep(100_000)).faces.len(), 1);
-    let error = vrml::read(file(&deep(500_001)).as_bytes()).unwrap_err();
-    assert!(matches!(error, Error::Unsupported { place: Place::Line(2), .. }), "{error}");
+    // Two levels each, and the face lies in three more.
+    assert_eq!(parse(&deep(4_998)).faces.len(), 1);
+    for depth in [4_999, 100_000, 500_000] {
+        let error = vrml::read(file(&deep(depth)).as_bytes()).unwrap_err();
+        assert!(matches!(error, Error::Unsupported { place: Place::Line(2), .. }), "{error}");
+    }
     assert_eq!(parse(&format!("PROTO p [] {{ {} }}", deep(600_000))), Triangles::default());
 }
 
@@ -165,6 +187,11 @@ fn crafted_files_are_linear() {
     let notes =
         parse(&"Box{}\nIndexedFaceSet{coord Coordinate{point[0 0 0]}coordIndex[0 0]}\n".repeat(50_000));
     assert_eq!(notes.notes.iter().map(|note| note.count).collect::<Vec<_>>(), [50_000, 50_000]);
+    // Kinds of notes are few, however many names the file makes up.
+    let kinds: String =
+        (0..50_000).map(|i| format!("PROTO p{i} [] {{}} p{i} {{}} DEF s{i} Shape {{}} USE s{i}\n")).collect();
+    let notes = parse(&kinds).notes;
+    assert_eq!(notes.iter().map(|note| note.count).collect::<Vec<_>>(), [50_000, 50_000]);
     let names: String = (0..100_000).map(|i| format!("DEF n{i} Coordinate{{}}\n")).collect();
     assert_eq!(parse(&names), Triangles::default());
 }

@@ -144,7 +144,23 @@ fn whole_nodes_are_not_repeated() {
         FACE.replace("<IndexedFaceSet", "<IndexedFaceSet DEF='f'").replace("<Shape>", "<Shape DEF='s'>")
     ));
     let mesh = parse(&text);
-    assert_eq!((mesh.positions.len(), mesh.faces.len(), mesh.notes), (3, 1, vec![]));
+    assert_eq!((mesh.positions.len(), mesh.faces.len()), (3, 1));
+    let [note] = &mesh.notes[..] else { panic!("{:?}", mesh.notes) };
+    assert_eq!(note.to_string(), "3 elements of kind `USE` skipped, the first at line 1");
+    let other = "<Shape><Appearance USE='a'><Material USE='m'/></Appearance></Shape><Viewpoint USE='v'/>";
+    assert_eq!(parse(&scene(other)), Triangles::default());
+}
+
+#[test]
+fn what_stands_elsewhere_is_noted() {
+    let text = "\n<Inline url='a.x3d'/>\n<ProtoInstance name='p'/><Group><Inline url='b.x3d'/></Group>";
+    let notes = parse(&scene(text)).notes;
+    let notes: Vec<String> = notes.iter().map(ToString::to_string).collect();
+    let expected = [
+        "2 elements of kind `Inline` skipped, the first at line 2",
+        "1 element of kind `ProtoInstance` skipped, the first at line 3",
+    ];
+    assert_eq!(notes, expected);
 }
 
 #[test]
@@ -179,8 +195,12 @@ fn what_is_left_out_is_noted() {
 #[test]
 fn depth_does_not_exhaust_the_stack() {
     let deep = |depth: usize| scene(&format!("{}{FACE}{}", "<a>".repeat(depth), "</a>".repeat(depth)));
-    assert_eq!(parse(&deep(200_000)).faces.len(), 1);
-    assert!(unsupported(deep(1_000_001).as_bytes()).contains("more than 1000000 nodes within one another"));
+    // Around them are X3D and Scene, and the face lies in two more.
+    assert_eq!(parse(&deep(9_995)).faces.len(), 1);
+    for depth in [9_996, 100_000, 1_000_000] {
+        let error = unsupported(deep(depth).as_bytes());
+        assert!(error.contains("more than 10000 nodes within one another"), "{depth}: {error}");
+    }
 }
 
 /// Many attributes, many notes and many names cost no more than their length.

@@ -17,6 +17,8 @@ pub(super) enum Layout {
     Lines,
     /// Nothing stands behind them.
     Stream,
+    /// Nothing stands behind them, and nothing behind the last one either.
+    WholeStream,
 }
 
 /// Why reading stopped.
@@ -47,13 +49,16 @@ impl<'a> Reader<'a> {
         Self { words, layout, positions: Vec::new(), polygons: Polygons::default(), notes: Vec::new() }
     }
 
-    pub(super) fn run(mut self, header: &Header) -> Result<Triangles, Failure> {
+    pub(super) fn run(mut self, header: &Header<'_>) -> Result<Triangles, Failure> {
         reserve(&mut self.positions, header.vertices)?;
         for _ in 0..header.vertices {
             self.vertex(header)?;
         }
         for read in 0..header.faces {
             self.face(header, read)?;
+        }
+        if self.layout == Layout::WholeStream {
+            self.check_end()?;
         }
         if self.polygons.faces().len() > u32::MAX as usize {
             return Err(malformed(Place::File, Reason::TooMany).into());
@@ -62,21 +67,47 @@ impl<'a> Reader<'a> {
     }
 
     #[inline(always)]
-    fn vertex(&mut self, header: &Header) -> Result<(), Failure> {
-        let mut position = [0.0; 3];
-        for (found, coordinate) in position.iter_mut().enumerate() {
-            let word = if found == 0 { self.words.next() } else { self.next() };
-            let Some(word) = word else { return Err(self.short_vertex(header, found)) };
-            *coordinate =
-                f32_of(word).ok_or_else(|| self.malformed(Reason::BadNumber { word: quote(word) }))?;
-        }
+    fn vertex(&mut self, header: &Header<'_>) -> Result<(), Failure> {
+        let position = match header.keyword.weight() {
+            None => self.plain_position(header)?,
+            Some(weight) => self.weighted_position(header, weight)?,
+        };
         push(&mut self.positions, position)?;
         self.end_record();
         Ok(())
     }
 
     #[inline(always)]
-    fn face(&mut self, header: &Header, read: u64) -> Result<(), Failure> {
+    fn plain_position(&mut self, header: &Header<'_>) -> Result<[f32; 3], Failure> {
+        let mut position = [0.0; 3];
+        for (found, coordinate) in position.iter_mut().enumerate() {
+            let word = self.component(header, found)?;
+            *coordinate = f32_of(word).ok_or_else(|| self.bad_number(word))?;
+        }
+        Ok(position)
+    }
+
+    fn weighted_position(&mut self, header: &Header<'_>, weight: usize) -> Result<[f32; 3], Failure> {
+        let mut components = [0.0; 4];
+        for (found, component) in components.iter_mut().enumerate() {
+            let word = self.component(header, found)?;
+            *component = fast_float2::parse(word).map_err(|_| self.bad_number(word))?;
+        }
+        Ok(divided(components, weight))
+    }
+
+    /// The next number of a vertex that has `found` already.
+    #[inline(always)]
+    fn component(&mut self, header: &Header<'_>, found: usize) -> Result<&'a [u8], Failure> {
+        let word = if found == 0 { self.words.next() } else { self.next() };
+        match word {
+            Some(word) => Ok(word),
+            None => Err(self.short_vertex(header, found)),
+        }
+    }
+
+    #[inline(always)]
+    fn face(&mut self, header: &Header<'_>, read: u64) -> Result<(), Failure> {
         let Some(word) = self.words.next() else {
             return Err(self.short(Reason::Missing {
                 what: "faces",
@@ -123,7 +154,7 @@ impl<'a> Reader<'a> {
     fn next(&mut self) -> Option<&'a [u8]> {
         match self.layout {
             Layout::Lines => self.words.next_on_line(),
-            Layout::Stream => self.words.next(),
+            Layout::Stream | Layout::WholeStream => self.words.next(),
         }
     }
 
@@ -134,12 +165,28 @@ impl<'a> Reader<'a> {
         }
     }
 
+    fn check_end(&mut self) -> Result<(), Error> {
+        let expected = "the end of the file, though all vertices and faces were read";
+        match self.words.next() {
+            None => Ok(()),
+            Some(word) => Err(self.malformed(Reason::BadWord { word: quote(word), expected })),
+        }
+    }
+
     #[cold]
-    fn short_vertex(&mut self, header: &Header, found: usize) -> Failure {
+    fn bad_number(&mut self, word: &[u8]) -> Error {
+        self.malformed(Reason::BadNumber { word: quote(word) })
+    }
+
+    #[cold]
+    fn short_vertex(&mut self, header: &Header<'_>, found: usize) -> Failure {
         let present = self.positions.len();
-        self.short(match found {
-            0 => Reason::Missing { what: "vertices", declared: header.vertices as u64, present },
-            _ => Reason::TooFewCoordinates { found },
+        self.short(match (found, header.keyword.components()) {
+            (0, _) => Reason::Missing { what: "vertices", declared: header.vertices as u64, present },
+            (_, 3) => Reason::TooFewCoordinates { found },
+            (_, all) => {
+                Reason::Missing { what: "components of a vertex", declared: all as u64, present: found }
+            }
         })
     }
 
@@ -152,4 +199,11 @@ impl<'a> Reader<'a> {
     fn malformed(&mut self, reason: Reason) -> Error {
         malformed(Place::Line(self.words.line()), reason)
     }
+}
+
+/// The point of homogeneous coordinates, one of which is the divisor: rounded once, behind the division.
+pub(super) fn divided(components: [f64; 4], weight: usize) -> [f32; 3] {
+    // In front of the coordinates, or behind them.
+    let first = usize::from(weight == 0);
+    [0, 1, 2].map(|axis| (components[first + axis] / components[weight]) as f32)
 }

@@ -5,8 +5,10 @@
 pub(crate) enum Node {
     /// Geometry that is read.
     Geometry(Kind),
-    /// Geometry that is not, by name.
+    /// Geometry that is not, or that stands elsewhere, by name.
     Unread(&'static str),
+    /// A node that other nodes with geometry lie in.
+    Container,
     /// A list of points.
     Coordinates,
     /// Anything else.
@@ -28,8 +30,11 @@ pub(crate) enum Kind {
     Fans,
 }
 
-/// Geometry that makes no list of triangles, or only by computing it.
-const UNREAD: [&str; 22] = [
+/// Geometry that makes no list of triangles, or only by computing it, and what stands for a file or a prototype.
+const UNREAD: [&str; 25] = [
+    "Inline",
+    "GeoInline",
+    "ProtoInstance",
     "Box",
     "Sphere",
     "Cone",
@@ -63,6 +68,9 @@ impl Node {
             b"TriangleSet" => Self::Geometry(Kind::Triangles),
             b"IndexedTriangleStripSet" => Self::Geometry(Kind::Strips),
             b"IndexedTriangleFanSet" => Self::Geometry(Kind::Fans),
+            b"Shape" | b"Group" | b"StaticGroup" | b"Transform" | b"Switch" | b"LOD" | b"Collision"
+            | b"Anchor" | b"Billboard" | b"GeoLOD" | b"GeoLocation" | b"GeoTransform" | b"CADAssembly"
+            | b"CADFace" | b"CADLayer" | b"CADPart" => Self::Container,
             _ => match UNREAD.iter().find(|known| known.as_bytes() == name) {
                 Some(known) => Self::Unread(known),
                 None => Self::Other,
