@@ -95,7 +95,7 @@ const ROWS: &[Row] = &[
         name: "X3D",
         extensions: &["x3d"],
         begins: x3d::looks_like_xml,
-        read: |bytes, _| x3d::read(bytes),
+        read: |bytes, request| x3d::read_out_of(bytes, request.input_bytes),
         write: None,
     },
     // Before OBJ, whose comments begin with `#` as well.
@@ -104,7 +104,7 @@ const ROWS: &[Row] = &[
         name: "VRML",
         extensions: &["wrl", "vrml", "x3dv"],
         begins: vrml::begins_with_header,
-        read: |bytes, _| vrml::read(bytes),
+        read: |bytes, request| vrml::read_out_of(bytes, request.input_bytes),
         write: None,
     },
     Row {

@@ -95,8 +95,8 @@ impl Options {
 ///
 /// # Time and memory
 /// Linear in the bytes of the file and its buffers, whatever is in them; they are in memory as a whole while
-/// they are read. A gzip file counts as what is in it, which is at most 100 times as large, or 16 MiB. For each byte
-/// of the file, the result has at most so many:
+/// they are read. A gzip file counts as what is in it, which is at most 100 times as large, or 16 MiB; but where data can
+/// be named again and again, as the packed file. For each byte of the file, the result has at most so many:
 ///
 /// | format | bytes | reached by |
 /// |---|---|---|

@@ -28,6 +28,8 @@ pub(crate) type Name<'a> = Cow<'a, [u8]>;
 /// The nodes of a file that make a mesh, in the file's order.
 pub(crate) struct Scene<'a> {
     pub(crate) bytes: &'a [u8],
+    /// Those of the file; fewer where it is packed.
+    input_bytes: u64,
     format: Format,
     /// Whether `#` begins a comment among numbers.
     has_comments: bool,
@@ -57,9 +59,9 @@ pub(crate) enum Coordinates<'a> {
 }
 
 impl<'a> Scene<'a> {
-    pub(crate) fn new(bytes: &'a [u8], format: Format, has_comments: bool) -> Self {
+    pub(crate) fn new(bytes: &'a [u8], input_bytes: u64, format: Format, has_comments: bool) -> Self {
         let (geometries, points, notes) = (Vec::new(), Vec::new(), Vec::new());
-        Self { bytes, format, has_comments, geometries, points, names: HashMap::new(), notes }
+        Self { bytes, input_bytes, format, has_comments, geometries, points, names: HashMap::new(), notes }
     }
 
     /// A geometry node that begins at byte `at`: its number. Its fields may follow.

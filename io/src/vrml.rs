@@ -41,10 +41,15 @@ pub(crate) fn begins_with_header(bytes: &[u8]) -> bool {
 /// are no number or no index; a corner that names no point; a mesh beyond that limit. [`Error::Unsupported`] for VRML
 /// 1.0, and for more than 10,000 nodes within one another.
 pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
+    read_out_of(bytes, bytes.len() as u64)
+}
+
+/// [`read`], where the bytes come from so many in a file.
+pub(crate) fn read_out_of(bytes: &[u8], input_bytes: u64) -> Result<Triangles, Error> {
     let bytes = without_byte_order_mark(bytes);
     let reader = Reader {
         tokens: Tokens::new(bytes),
-        scene: Scene::new(bytes, Format::Vrml, true),
+        scene: Scene::new(bytes, input_bytes, Format::Vrml, true),
         open: Vec::new(),
         name: None,
         repeatable: HashSet::new(),

@@ -48,8 +48,13 @@ pub(crate) fn looks_like_xml(bytes: &[u8]) -> bool {
 /// multiple of three numbers; words that are no number or no index; a corner that names no point; a mesh beyond that
 /// limit. [`Error::Unsupported`] for declarations of entities, encodings other than UTF-8, and deeper documents.
 pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
+    read_out_of(bytes, bytes.len() as u64)
+}
+
+/// [`read`], where the bytes come from so many in a file.
+pub(crate) fn read_out_of(bytes: &[u8], input_bytes: u64) -> Result<Triangles, Error> {
     let bytes = without_byte_order_mark(bytes);
-    let scene = Scene::new(bytes, Format::X3d, false);
+    let scene = Scene::new(bytes, input_bytes, Format::X3d, false);
     if [&b"\xFF\xFE"[..], b"\xFE\xFF", b"<\0", b"\0<"].iter().any(|start| bytes.starts_with(start)) {
         return Err(scene.unsupported(0, "UTF-16 or UTF-32".to_owned()));
     }

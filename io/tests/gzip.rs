@@ -62,3 +62,17 @@ fn what_is_packed_twice_is_refused() {
     let error = onering_io::read(&packed(&packed(SQUARE))).unwrap_err().to_string();
     assert_eq!(error, "gzip: what is packed is itself packed with gzip");
 }
+
+/// Sixteen kilobytes that stand for a document of blanks, and that for millions of elements.
+#[test]
+fn what_is_named_again_and_again_is_measured_by_the_packed_file() {
+    let count = 1 << 20;
+    let mut document = format!(
+        r#"{{"asset":{{"version":"2.0"}},"accessors":[{{"componentType":5126,"type":"VEC3","count":{count}}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"mode":5}}]}}]}}"#
+    );
+    document.extend(std::iter::repeat_n(' ', count));
+    assert!(onering_io::read(document.as_bytes()).is_ok());
+    let error = onering_io::read(&packed(document.as_bytes())).unwrap_err().to_string();
+    assert!(error.contains("out of all proportion") || error.contains("far more than"), "{error}");
+}

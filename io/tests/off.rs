@@ -132,7 +132,7 @@ fn a_dimension_is_three() {
     }
     let error = read(b"nOFF\n4\n1 0 0\n0 0 0 0\n").unwrap_err().to_string();
     assert_eq!(error, "OFF line 2: needs nOFF of dimension 4, not 3, which is not supported");
-    let bad = (Place::Line(2), Reason::BadCount { word: "-3".into() });
+    let bad = (Place::Line(2), Reason::BadWord { word: "-3".into(), expected: "a count" });
     assert_eq!(refused(&PLAIN.replace("OFF", "nOFF\n-3")), bad);
     assert!(matches!(refused("nOFF\n").1, Reason::NotThisFormat { .. }));
 }

@@ -86,7 +86,7 @@ fn errors_name_the_byte() {
     for counts in [[-1, 1, 0], [4, -1, 0]] {
         let (place, reason) = refused(&with(&counts, &face));
         assert!(matches!(place, Place::ByteIn { item: Item::Header, .. }));
-        assert_eq!(reason, Reason::BadCount { word: "-1".into() });
+        assert_eq!(reason, Reason::BadWord { word: "-1".into(), expected: "a count" });
     }
     for counts in [[i32::MAX, 1, 0], [4, i32::MAX, 0], [i32::MAX, i32::MAX, 0], [6, 1, 0], [4, 4, 0]] {
         let (place, reason) = refused(&with(&counts, &face));
@@ -99,7 +99,7 @@ fn errors_name_the_byte() {
     for (face, place, reason) in [
         ([3, 0, 1, 4, 0], at(83), Reason::IndexOutOfRange { index: "4".into(), vertices: 4 }),
         ([3, -1, 1, 2, 0], at(75), Reason::IndexOutOfRange { index: "-1".into(), vertices: 4 }),
-        ([-3, 0, 1, 2, 0], at(71), Reason::BadCount { word: "-3".into() }),
+        ([-3, 0, 1, 2, 0], at(71), Reason::BadWord { word: "-3".into(), expected: "a count" }),
         (
             [i32::MAX, 0, 1, 2, 0],
             Place::Byte(71),

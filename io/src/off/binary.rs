@@ -119,7 +119,12 @@ impl<'a> Reader<'a> {
     fn count(&mut self, item: Item) -> Result<u64, Error> {
         let byte = self.at;
         let count = self.integer(item)?;
-        let bad = |_| malformed(Place::ByteIn { item, byte }, Reason::BadCount { word: count.to_string() });
+        let bad = |_| {
+            malformed(
+                Place::ByteIn { item, byte },
+                Reason::BadWord { word: count.to_string(), expected: "a count" },
+            )
+        };
         u64::try_from(count).map_err(bad)
     }
 

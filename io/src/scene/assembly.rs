@@ -138,7 +138,7 @@ impl<'a> Assembly<'a> {
     fn check_proportion(&self) -> Result<(), Error> {
         let read = self.positions.len() + self.polygons.faces().len();
         let elements = read.saturating_add(self.promised) as u64;
-        let check = proportion::check(elements, self.scene.bytes.len() as u64);
+        let check = proportion::check(elements, self.scene.input_bytes);
         check.map_err(|reason| Error::malformed(self.scene.format, Place::File, reason))
     }
 
