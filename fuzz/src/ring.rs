@@ -19,7 +19,8 @@ pub fn ring(bytes: &[u8]) {
     let &[backend, faces, ref rest @ ..] = bytes else { return };
     let backend = registry::BACKENDS[usize::from(backend) % registry::BACKENDS.len()].name;
     let (corners, changes) = rest.split_at(rest.len().min(3 * (1 + usize::from(faces) % FACES)));
-    let faces: Vec<_> = corners.as_chunks::<3>().0.iter().map(|face| face.map(|v| u32::from(v % 8))).collect();
+    let faces: Vec<_> =
+        corners.as_chunks::<3>().0.iter().map(|face| face.map(|v| u32::from(v % 8))).collect();
     let Some(Ok(mesh)) = ring::build(backend, 8, faces.into()) else { return };
     let mut file = Vec::new();
     ring::write(&mut file, &*mesh, None).expect("a vector takes everything");

@@ -44,7 +44,9 @@ fn the_corpus_passes() {
 /// A seed that is refused by mistake would teach the fuzzer nothing.
 #[test]
 fn seeds_are_read_or_refused_as_named() {
-    for (target, _) in TARGETS.iter().filter(|(target, _)| !["index_buffer", "ring", "written"].contains(target)) {
+    for (target, _) in
+        TARGETS.iter().filter(|(target, _)| !["index_buffer", "ring", "written"].contains(target))
+    {
         for path in files("seeds", target) {
             let name = path.file_name().expect("a file").to_string_lossy();
             let bytes = fs::read(&path).expect("a readable file");
