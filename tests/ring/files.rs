@@ -49,7 +49,7 @@ fn save_replaces_whole_files() {
     ring::save(&path, &small, None).unwrap();
     let before = fs::read(&path).unwrap();
     let error = ring::save(&path, &small, Some(&positions(2))).unwrap_err();
-    assert!(matches!(&error, Error::Io { path: named, .. } if *named == path), "{error:?}");
+    assert!(matches!(&error, Error::Write { path: Some(named), .. } if *named == path), "{error:?}");
     assert_eq!(fs::read(&path).unwrap(), before);
     let open = File::read(&path).unwrap();
     ring::save(&path, &CheL3::from_faces(4, &[[0, 1, 2], [2, 1, 3]]).unwrap(), None).unwrap();
