@@ -49,10 +49,10 @@ impl SaveOptions {
         save_with(path, |file| self.write(file, mesh, format)).map_err(|error| error.in_file(path))
     }
 
-    /// [`write`] with these options.
+    /// [`write()`] with these options.
     ///
     /// # Errors
-    /// As [`write`].
+    /// As [`write()`].
     pub fn write<'a>(
         &self,
         out: impl Write,
