@@ -9,7 +9,7 @@ use crate::memory::reserve;
 
 /// Puts the parts behind `all`. Whoever writes to fresh memory waits for the system to provide it, which takes longer
 /// than the copy: the threads share that.
-#[allow(unsafe_code, reason = "only raw room can be filled by several threads without writing it twice")]
+#[expect(unsafe_code, reason = "only raw room can be filled by several threads without writing it twice")]
 pub(super) fn append<T: Copy + Send + Sync>(all: &mut Vec<T>, parts: &[&[T]]) -> Result<(), Error> {
     let more = parts.iter().map(|part| part.len()).sum();
     reserve(all, more)?;
