@@ -5,10 +5,12 @@ mod convert;
 mod formats;
 pub(crate) use formats::{is_written, written};
 mod inspect;
+mod mesh_file;
 
 pub(crate) use compare::Compare;
 pub(crate) use convert::Convert;
 pub(crate) use inspect::Inspect;
+pub(crate) use mesh_file::MeshFile;
 
 use crate::output::{self, Status};
 use clap::{CommandFactory, Parser, Subcommand};

@@ -1,7 +1,7 @@
 //! What onering can compute of a mesh, to be written beside it.
 
-use super::failure::Failure;
 use super::holds::Holds;
+use crate::failure::Failure;
 use crate::{args, input};
 use onering::k_ring::KRing;
 use onering::neighbours::Neighbours;

@@ -1,7 +1,6 @@
 //! Welding and mending, with the polygons that outlast it.
 
-use super::failure::Failure;
-use crate::{args, input};
+use crate::failure::Failure;
 use onering::BuildError;
 use onering::repair::{RepairError, RepairOptions, Repaired, repair, weld};
 use onering_io::Triangles;
@@ -17,13 +16,12 @@ pub(crate) struct Change {
 }
 
 impl Change {
-    /// Does what the options ask for.
-    pub(crate) fn apply(options: &args::Convert, mesh: &mut Triangles) -> Result<Self, Failure> {
-        let failed =
-            |error: &dyn Display| Failure::Output(format!("{}: {error}", input::name_of(&options.input)));
-        let welded = options.weld.then(|| weld_vertices(mesh)).transpose();
+    /// Welds and repairs the mesh of this name, where that is asked for.
+    pub(crate) fn apply(weld: bool, repair: bool, name: &str, mesh: &mut Triangles) -> Result<Self, Failure> {
+        let failed = |error: &dyn Display| Failure::Output(format!("{name}: {error}"));
+        let welded = weld.then(|| weld_vertices(mesh)).transpose();
         let welded = welded.map_err(|error| failed(&format_args!("weld: {error}")))?;
-        let repaired = options.repair.then(|| mend(mesh)).transpose();
+        let repaired = repair.then(|| mend(mesh)).transpose();
         let repaired = repaired.map_err(|error| failed(&format_args!("repair: {error}")))?;
         Ok(Self { welded, repaired })
     }

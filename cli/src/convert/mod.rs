@@ -2,20 +2,19 @@
 
 mod attribute;
 mod change;
-mod failure;
 mod holds;
 pub(crate) mod ring;
 mod summary;
 mod target;
 
 pub(crate) use attribute::Attribute;
+pub(crate) use change::Change;
 
+use crate::failure::Failure;
 use crate::output::{self, Status};
 use crate::progress::Progress;
 use crate::{args, input};
 use attribute::Computed;
-use change::Change;
-use failure::Failure;
 use holds::Holds;
 use onering_io::{Format, MeshRef, Options, Triangles};
 use std::io;
@@ -46,7 +45,9 @@ fn convert(options: &args::Convert) -> Result<Summary, Failure> {
     let progress = Progress::start(STEPS);
     let (mut mesh, format) = progress.step("reading", || read(options))?;
     let mut summary = Summary::of(options, &mesh, format, &target);
-    let change = progress.step("mending", || Change::apply(options, &mut mesh))?;
+    let change = progress.step("mending", || {
+        Change::apply(options.weld, options.repair, &input::name_of(&options.input), &mut mesh)
+    })?;
     let computed = progress.step("computing attributes", || attribute::compute(options, &mesh))?;
     progress.step("writing", || write(&mesh, &computed, &target))?;
     summary.add_result(&mesh, &change, &holds);

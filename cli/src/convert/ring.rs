@@ -1,7 +1,7 @@
 //! `.ring` files: a mesh in the arrays of one backend.
 
-use super::failure::Failure;
 use super::holds::Holds;
+use crate::failure::Failure;
 use onering::BuildError;
 use onering::columns::Columns;
 use onering::ring;
@@ -10,8 +10,8 @@ use std::borrow::Cow;
 use std::io;
 use std::path::Path;
 
-/// The backend where none is named: the smallest that takes everything but degenerate faces.
-pub(crate) const DEFAULT: &str = "directed-edges-small";
+/// The backend where none is named.
+pub(crate) use crate::on_backend::DEFAULT;
 
 /// What becomes of a mesh in such a file.
 pub(crate) const HOLDS: Holds =

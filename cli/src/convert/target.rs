@@ -1,7 +1,7 @@
 //! Where the mesh goes, and in which format.
 
-use super::failure::Failure;
 use super::ring;
+use crate::failure::Failure;
 use crate::{args, input};
 use onering_io::{Format, MeshRef, SaveOptions};
 use std::fs;

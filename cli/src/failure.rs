@@ -1,10 +1,10 @@
-//! How a conversion can fail, and what that means for the end of the run.
+//! How a command can fail, and what that means for the end of the run.
 
 use crate::output::{self, Status};
 use onering_io::Error;
 use std::io;
 
-/// Why nothing was converted.
+/// Why nothing was made.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// What was asked for makes no sense.

@@ -1,0 +1,1 @@
+//! Contours: lines along which a scalar field has one value.

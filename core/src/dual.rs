@@ -1,0 +1,1 @@
+//! The dual graph: faces as nodes, joined across edges.

@@ -1,0 +1,1 @@
+//! Boundary curves filled with triangles.

@@ -1,0 +1,1 @@
+//! Areas, volume, bounding box, length of edges.

@@ -1,0 +1,1 @@
+//! The vertex nearest to a point.

@@ -1,0 +1,1 @@
+//! Normals of faces and vertices.

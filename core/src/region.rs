@@ -1,0 +1,1 @@
+//! Regions: faces grown from a seed.

@@ -1,0 +1,1 @@
+//! The nine relations between vertices, edges and faces.

@@ -1,0 +1,1 @@
+//! Vertices and faces in an order that keeps neighbours together in memory.

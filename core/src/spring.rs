@@ -1,0 +1,1 @@
+//! Soft tissue as masses and springs.

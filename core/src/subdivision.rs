@@ -1,0 +1,1 @@
+//! Finer triangles: Loop and midpoint subdivision.

@@ -1,0 +1,1 @@
+//! A part of a mesh as a mesh of its own.
