@@ -1,17 +1,26 @@
 //! The vertex nearest to a point: where a tool touches the surface, the first step of the deformation that
 //! Biscaro et al. (2016, section 2.1) describe.
+#[cfg(feature = "kd-tree")]
+mod tree;
+
+#[cfg(feature = "kd-tree")]
+pub use tree::Tree;
+
 use crate::{
     Handle, Map,
     vector::{self, Vector},
 };
 
-/// The vertex nearest to a point, of those at the same distance the least.
+/// The vertex nearest to a point; of those at the same distance, the least.
+///
+/// # Arguments
+/// Vertices whose position is infinite or no number are passed over.
 ///
 /// # Returns
-/// `None` where there is no vertex with a finite position, or where the point itself is not finite.
+/// `None` where there is no vertex to give, or where the point is infinite or no number.
 ///
 /// # Complexity
-/// O(vertices), one pass without memory. Where many points are asked for, the feature `kd-tree` has `Tree`.
+/// O(vertices), one pass without memory. To ask for many points, turn on the feature `kd-tree`, which has `Tree`.
 ///
 /// # Example
 /// ```
@@ -26,7 +35,7 @@ use crate::{
 pub fn nearest_vertex<V: Handle>(positions: &Map<V, [f32; 3]>, point: Vector) -> Option<V> {
     let mut best = (f64::INFINITY, None);
     for (v, &p) in positions {
-        // An infinite distance is not less than the first, and neither is what is no number.
+        // What is infinite or no number is not less than infinity.
         let distance = squared_distance(vector::of(p), point);
         if distance < best.0 {
             best = (distance, Some(v));
