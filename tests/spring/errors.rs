@@ -18,7 +18,7 @@ fn refused(change: impl FnOnce(&mut Map<VertexId, [f32; 3]>, &mut Settings)) -> 
     let (mesh, mut positions) = parts();
     let mut options = Options::default();
     change(&mut positions, &mut options);
-    Simulation::new(&mesh, &positions, &options).err().expect("an error")
+    Simulation::new(&mesh, &positions, &options).expect_err("an error")
 }
 
 #[test]

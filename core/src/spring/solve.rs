@@ -80,7 +80,8 @@ impl<M: Incidence> Simulation<'_, M> {
         }
         self.set(moving, |v| started[v]);
         let mut left = self.left_over(moving);
-        if !(norm(&left) <= applied) {
+        let is_nearer = norm(&left) <= applied;
+        if !is_nearer {
             self.set(moving, |_| [0.0; 3]);
             left = self.left_over(moving);
         }
@@ -134,7 +135,9 @@ impl<M: Incidence> Simulation<'_, M> {
                 next += vector::dot(left[v], preconditioned(&left, v));
                 rest += vector::dot(left[v], left[v]);
             }
-            if !(libm::sqrt(rest) > enough) {
+            // What is no number any more goes on nowhere.
+            let goes_on = libm::sqrt(rest) > enough;
+            if !goes_on {
                 return iteration;
             }
             for v in self.mesh.vertices().filter(|&v| moving[v]) {
