@@ -343,6 +343,8 @@ fn real_meshes() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn any_faces_and_values(
         faces in prop::collection::vec([0..9u32, 0..9u32, 0..9u32], 0..40),
