@@ -100,8 +100,8 @@ fn goes_on_across_pairs<H>(line: &Line<'_, H>, edges: &[Edge], counts: &BTreeMap
     }
 }
 
-/// The half-edge of a crossing is a side of the face of the segment that begins there; that of the last one of the
-/// face before.
+/// The half-edge of a crossing is a side of the face of the segment that begins there; that of the last one of
+/// the face before.
 fn runs_through_faces<M: Topology>(mesh: &M, line: &Line<'_, M::HalfEdge>, name: &str) {
     let after = line.crossings.iter().cycle().skip(1);
     for (crossing, next) in line.crossings.iter().zip(after).take(line.segment_count()) {

@@ -79,7 +79,8 @@ fn built<M: Topology + FromFaces>((corners, faces): &Roof) -> (M, Map<M::Vertex,
     (M::from_faces(corners.len(), faces).unwrap(), Map::from(corners.clone()))
 }
 
-/// Three stalactites, each with a roof around it that rises a little: a sharp one, one of a single ring, and one with a blunt tip.
+/// Three stalactites, each with a roof around it that rises a little: a sharp one, one of a single ring, and
+/// one with a blunt tip.
 fn incidence<M: Incidence + FromFaces>() {
     let n = 16;
     let sharp = [[0.0, -8.0], [1.0, -4.0], [2.0, 0.0], [3.0, 0.1], [4.0, 0.3]];

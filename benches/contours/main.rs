@@ -1,8 +1,8 @@
 //! Times contours, minima and kinds of vertices on a made terrain, on CHE L2.
 //!
-//! `cargo bench --bench contours -- 1000000 10000000`: the numbers of triangles. The times are medians of seven rounds in
-//! which all ways take turns, on one thread; building the structure is timed once, beside them. Not by criterion, whose
-//! warming up would take longer than all of this. With `--test`, a small terrain, once.
+//! `cargo bench --bench contours -- 1000000 10000000`: the numbers of triangles. The times are medians of seven
+//! rounds in which all ways take turns, on one thread; building the structure is timed once, beside them. Not
+//! by criterion, whose warming up would take longer than all of this. With `--test`, a small terrain, once.
 use onering::{CheL2, FromFaces, Map, Topology, VertexId, contours, critical};
 use std::hint::black_box;
 use std::time::Instant;

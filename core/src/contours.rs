@@ -1,11 +1,11 @@
 //! Contours: lines along which a scalar field has one value.
 //!
-//! A vertex whose value is exactly a level counts as above it. So every face has none of its sides crossed by a level, or
-//! exactly two, one that runs down through the level and one that runs up: a line that comes in over one leaves over
-//! the other, and there is nowhere to branch. What follows from the rule:
+//! A vertex whose value is exactly a level counts as above it. So every face has none of its sides crossed by a
+//! level, or exactly two, one that runs down through the level and one that runs up: a line that comes in over
+//! one leaves over the other, and there is nowhere to branch. What follows from the rule:
 //!
-//! - A face of one value is never crossed: the line of a plateau that lies at the level runs along the plateau's edge, where the
-//!   surface goes down.
+//! - A face of one value is never crossed: the line of a plateau that lies at the level runs along the
+//!   plateau's edge, where the surface goes down.
 //! - Where a line runs through a vertex, several of its crossings, of edges at that vertex, are the same point.
 //! - A line goes on across every edge of exactly two faces, whichever way these run along it. At an edge of one
 //!   face, or of three and more, it ends, and each of the faces has a crossing of its own there.
@@ -40,10 +40,11 @@ struct Span {
 pub struct Line<'a, H> {
     /// The value.
     pub level: f32,
-    /// Whether the last crossing is joined to the first, which is not said twice. A line that is not closed ends on
-    /// the boundary, or at an edge of three or more faces.
+    /// Whether the last crossing is joined to the first, which is not said twice. A line that is not closed
+    /// ends on the boundary, or at an edge of three or more faces.
     pub is_closed: bool,
-    /// Where the line crosses edges, in order; between two that follow one another it runs straight through a face.
+    /// Where the line crosses edges, in order; between two that follow one another it runs straight through a
+    /// face.
     pub crossings: &'a [Crossing<H>],
 }
 
@@ -75,7 +76,8 @@ impl<H> Contours<H> {
 }
 
 impl<H: Handle> Line<'_, H> {
-    /// Number of straight pieces, each through one face: as many as crossings, or one fewer where the line is open.
+    /// Number of straight pieces, each through one face: as many as crossings, or one fewer where the line is
+    /// open.
     pub fn segment_count(&self) -> usize {
         self.crossings.len() - usize::from(!self.is_closed)
     }
@@ -113,8 +115,8 @@ impl<H: Handle> Crossing<H> {
 ///
 /// # Returns
 /// The levels, ascending, each once: multiples that are the same `f32` are one level. None where `step` is not
-/// positive, where one of the three is not finite, or where the multiples would be more than 16,777,216, as many as
-/// an `f32` tells apart at its precision.
+/// positive, where one of the three is not finite, or where the multiples would be more than 16,777,216, as
+/// many as an `f32` tells apart at its precision.
 ///
 /// # Complexity
 /// O(levels).
@@ -138,16 +140,16 @@ pub fn levels(step: f32, min: f32, max: f32) -> Vec<f32> {
 /// The lines along which `field` has one of `levels`, as ordered polylines.
 ///
 /// # Arguments
-/// A value for each vertex, such as its height, and the levels, in any order; one that is given twice is one level, and
-/// one that is not finite crosses nothing.
+/// A value for each vertex, such as its height, and the levels, in any order; one that is given twice is one
+/// level, and one that is not finite crosses nothing.
 ///
 /// # Returns
-/// The lines, by ascending level. Each segment through a face is in exactly one line, once; so is each crossing of an
-/// edge of one or two faces. The module says what happens at vertices that are exactly on a level, at
+/// The lines, by ascending level. Each segment through a face is in exactly one line, once; so is each crossing
+/// of an edge of one or two faces. The module says what happens at vertices that are exactly on a level, at
 /// plateaus and where the mesh is no manifold.
 ///
 /// # Complexity
-/// O(faces + vertices log levels + segments). Scratch: 4 bytes for each vertex, face and level, and
+/// O(faces + vertices log levels + segments). Scratch: 4 bytes for each vertex and face, 12 for each level, and
 /// 4 for each segment; the answer takes 16 bytes for each crossing.
 ///
 /// # Errors
@@ -170,8 +172,8 @@ pub fn levels(step: f32, min: f32, max: f32) -> Vec<f32> {
 /// ```
 ///
 /// # Source
-/// Figueiredo et al. (2014), section 6.3, Algorithm 4, which gives the segments of one level, loose. The rule for
-/// values on a level is the symbolic perturbation of Edelsbrunner and Muecke (1990).
+/// Figueiredo et al. (2014), section 6.3, Algorithm 4, which gives the segments of one level, loose. The rule
+/// for values on a level is the symbolic perturbation of Edelsbrunner and Muecke (1990).
 pub fn contours<M: Adjacency + ?Sized>(
     mesh: &M,
     field: &Map<M::Vertex, f32>,

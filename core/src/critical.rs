@@ -2,12 +2,12 @@
 //!
 //! There are two readings of a field that has the same value at neighbours:
 //!
-//! - [`local_minima`] and [`local_maxima`] take a *plateau*, the vertices of one value that edges between them connect, as one: it is
-//!   a minimum where no neighbour of it is lower, and its least vertex stands for it. A vertex without a neighbour of its
-//!   value is a plateau of one.
-//! - [`classify`], [`saddles`] and [`index`] take the vertex of the lower index as the lower of two of one value, so that there are
-//!   no plateaus at all, and the figures add up to the Euler characteristic. On a plateau, that can make several
-//!   minima, with saddles between them.
+//! - [`local_minima`] and [`local_maxima`] take a *plateau*, the vertices of one value that edges between them
+//!   connect, as one: it is a minimum where no neighbour of it is lower, and its least vertex stands for it. A
+//!   vertex without a neighbour of its value is a plateau of one.
+//! - [`classify`], [`saddles`] and [`index`] take the vertex of the lower index as the lower of two of one
+//!   value, so that there are no plateaus at all, and the figures add up to the Euler characteristic. On a
+//!   plateau, that can make several minima, with saddles between them.
 //!
 //! Where no two neighbours have one value, both find the same minima and maxima. An isolated vertex is on no
 //! surface, and is neither.
@@ -25,12 +25,12 @@ pub use link::{Kind, classify, index, saddles};
 /// A value for each vertex.
 ///
 /// # Returns
-/// The vertices, ascending. A boundary vertex is compared with the neighbours that it has. A plateau that is a whole component
-/// is both a minimum and a maximum.
+/// The vertices, ascending. A boundary vertex is compared with the neighbours that it has. A plateau that is a
+/// whole component is both a minimum and a maximum.
 ///
 /// # Complexity
-/// O(half-edges): the walk around a vertex ends at the first lower neighbour. One byte of scratch for each vertex
-/// where some plateau has several vertices.
+/// O(half-edges): the walk around a vertex ends at the first lower neighbour. One byte of scratch for each
+/// vertex where some plateau has several vertices, and 4 for each that a flood of one reaches.
 ///
 /// # Errors
 /// [`NotFinite`] where a value is infinite or no number.
@@ -101,9 +101,9 @@ pub fn local_maxima<M: Incidence + ?Sized>(
 /// The positions, z up, of a surface whose faces are counter-clockwise as seen from inside the cave.
 ///
 /// # Returns
-/// The vertices, ascending. The normal at a vertex is the sum of those of its faces, each as long as its area, and points
-/// down where its z is negative. As in the paper, every vertex of a plateau is one where both hold for it:
-/// [`local_minima`] of the heights has one for each plateau.
+/// The vertices, ascending. The normal at a vertex is the sum of those of its faces, each as long as its area,
+/// and points down where its z is negative. As in the paper, every vertex of a plateau is one where both hold
+/// for it: [`local_minima`] of the heights has one for each plateau.
 ///
 /// # Complexity
 /// O(half-edges), without scratch.

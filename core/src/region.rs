@@ -40,8 +40,8 @@ impl<F: Handle, V: Handle> Region<F, V> {
         self.faces.iter().map(|&f| 0.5 * vector::length(normal(mesh, positions, f))).sum()
     }
 
-    /// The least and the largest coordinates. Of a region without faces, infinity and minus infinity: a box that
-    /// has nothing in it. O(vertices of the region).
+    /// The least and the largest coordinates. Of a region without faces, infinity and minus infinity: a box
+    /// that has nothing in it. O(vertices of the region).
     pub fn bounding_box(&self, positions: &Map<V, [f32; 3]>) -> [[f32; 3]; 2] {
         let nothing = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
         self.vertices.iter().map(|&v| positions[v]).fold(nothing, |[min, max], p| {
@@ -63,13 +63,14 @@ pub(crate) fn normal<M: Topology + ?Sized>(
 /// The faces that are reached from seeds across edges, as far as a predicate lets them.
 ///
 /// # Arguments
-/// The first faces, which are in the region whatever the predicate says, and the predicate. It is asked `admits(h, g)` for
-/// two half-edges along one edge, `h` of a face in the region and `g` of one that is not yet: may the region go on
-/// from the one face to the other? It can be asked of one face from several sides, until it says so.
+/// The first faces, which are in the region whatever the predicate says, and the predicate. It is asked
+/// `admits(h, g)` for two half-edges along one edge, `h` of a face in the region and `g` of one that is not
+/// yet: may the region go on from the one face to the other? It can be asked of one face from several sides,
+/// until it says so.
 ///
 /// # Returns
-/// The region, breadth first. It goes on across edges of three and more faces, and across faces that disagree in
-/// orientation, if it may.
+/// The region, breadth first. It goes on across edges of three and more faces, and across faces that disagree
+/// in orientation, if it may.
 ///
 /// # Complexity
 /// O(faces of the region), and one byte of scratch for each face of the mesh.

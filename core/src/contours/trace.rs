@@ -1,7 +1,7 @@
 //! Segments strung into lines, level by level.
 //!
-//! A level crosses a face once, so one mark a face serves for all levels: the last level that was traced through it. Every
-//! step marks a face, which bounds the work, whatever the mesh.
+//! A level crosses a face once, so one mark a face serves for all levels: the last level that was traced
+//! through it. Every step marks a face, which bounds the work, whatever the mesh.
 use super::{Contours, Crossing, Span, buckets};
 use crate::{Adjacency, Map, edges};
 use alloc::vec::Vec;
@@ -36,8 +36,8 @@ impl<'a, M: Adjacency + ?Sized> Tracer<'a, M> {
         let buckets = buckets::Buckets::new(self.mesh, &self.ranks, self.levels.len());
         for level in 0..self.levels.len() as u32 {
             let faces = buckets.of(level as usize);
-            // Open lines first, from their ends: what is left then is closed, and may start anywhere. A line has
-            // both its ends where sides run up only where faces disagree in orientation.
+            // Open lines first, from their ends: what is left then is closed, and may start anywhere. A line
+            // has both its ends where sides run up only where faces disagree in orientation.
             for runs_down in [true, false] {
                 self.trace_from(faces, level, |tracer, f| {
                     let start = tracer.side(f, level, runs_down);
@@ -49,7 +49,8 @@ impl<'a, M: Adjacency + ?Sized> Tracer<'a, M> {
         Contours { lines: self.lines, crossings: self.crossings }
     }
 
-    /// Traces the lines that start in those of `faces` that are not traced yet, over the side that `start` gives.
+    /// Traces the lines that start in those of `faces` that are not traced yet, over the side that `start`
+    /// gives.
     fn trace_from(
         &mut self,
         faces: &[M::Face],
@@ -89,7 +90,8 @@ impl<'a, M: Adjacency + ?Sized> Tracer<'a, M> {
         self.ranks[v] > level
     }
 
-    /// The side of `f` that runs down through the level, or the one that runs up: it is crossed, so it has both.
+    /// The side of `f` that runs down through the level, or the one that runs up: it is crossed, so it has
+    /// both.
     fn side(&self, f: M::Face, level: u32, runs_down: bool) -> M::HalfEdge {
         let [a, b, c] = self.mesh.face_half_edges(f);
         let [x, y, z] = [a, b, c].map(|h| self.is_above(self.mesh.origin(h), level) == runs_down);

@@ -1,8 +1,8 @@
 //! The kind of a vertex, by which part of its link is lower.
 //!
-//! All vertices are in one strict order, by value and then by index. With it, adding vertices from the lowest up with
-//! the edges and faces to lower ones, each edge and each face comes with its highest vertex: so the indices sum to
-//! the Euler characteristic on any mesh at all.
+//! All vertices are in one strict order, by value and then by index. With it, adding vertices from the lowest
+//! up with the edges and faces to lower ones, each edge and each face comes with its highest vertex: so the
+//! indices sum to the Euler characteristic on any mesh at all.
 use crate::{Handle, Incidence, Map, NotFinite, not_finite, star};
 use alloc::vec::Vec;
 
@@ -24,22 +24,23 @@ pub enum Kind {
     },
 }
 
-/// Number of pieces that vertex `v` adds to what is lower, less the number of passes that it closes: 1 for a minimum
-/// and for a maximum inside the surface, minus the multiplicity for a saddle, 0 for a regular vertex.
+/// Number of pieces that vertex `v` adds to what is lower, less the number of passes that it closes: 1 for a
+/// minimum and for a maximum inside the surface, minus the multiplicity for a saddle, 0 for a regular vertex.
 ///
 /// # Arguments
 /// A value for each vertex, and a vertex. Of two vertices of one value, that of the lower index is lower.
 ///
 /// # Returns
 /// 1 - (lower neighbours) + (edges of the link with both ends lower). Summed over all vertices that are not
-/// isolated, this is the [Euler characteristic](crate::euler::euler_characteristic) of any mesh, manifold or not. A maximum on the
-/// boundary has 0: what is lower only grows there. An isolated vertex has 1.
+/// isolated, this is the [Euler characteristic](crate::euler::euler_characteristic) of any mesh, manifold or
+/// not. A maximum on the boundary has 0: what is lower only grows there. An isolated vertex has 1.
 ///
 /// # Complexity
 /// O(degree).
 ///
 /// # Panics
-/// If `field` is shorter than the list of vertices, or `v` out of range. Values that are no number are not looked for.
+/// If `field` is shorter than the list of vertices, or `v` out of range. Values that are no number are not
+/// looked for.
 ///
 /// # Example
 /// ```
@@ -72,10 +73,11 @@ fn is_lower<V: Handle>(field: &Map<V, f32>, u: V, v: V) -> bool {
 /// A value for each vertex. Of two vertices of one value, that of the lower index is lower.
 ///
 /// # Returns
-/// The kinds. On a closed manifold, minima - saddles (each by its multiplicity) + maxima is the Euler characteristic; with a
-/// boundary, that holds where the maxima on the boundary are left out. There the lower part of the link decides
-/// what is a saddle, so the saddles of a field and of its negative can differ. Where the mesh is no manifold, a vertex that
-/// has neighbours on both sides is a saddle where its [`index`] is negative, and else regular.
+/// The kinds. On a closed manifold, minima - saddles (each by its multiplicity) + maxima is the Euler
+/// characteristic; with a boundary, that holds where the maxima on the boundary are left out. There the lower
+/// part of the link decides what is a saddle, so the saddles of a field and of its negative can differ. Where
+/// the mesh is no manifold, a vertex that has neighbours on both sides is a saddle where its [`index`] is
+/// negative, and else regular.
 ///
 /// # Complexity
 /// O(half-edges).

@@ -2,8 +2,8 @@
 use crate::{Incidence, Map};
 use alloc::vec::Vec;
 
-/// The least vertex of each plateau that no neighbour is beyond, ascending: with `is_beyond(v, u)` where `u` is lower than
-/// `v`, these are the minima.
+/// The least vertex of each plateau that no neighbour is beyond, ascending: with `is_beyond(v, u)` where `u` is
+/// lower than `v`, these are the minima.
 pub(super) fn extrema<M: Incidence + ?Sized>(
     mesh: &M,
     is_beyond: impl Fn(M::Vertex, M::Vertex) -> bool,
@@ -79,8 +79,9 @@ enum Seen {
 
 /// Whether the plateau of the only vertex in `reached` is an extremum, and then `reached` is all of it.
 ///
-/// A flood ends at the first neighbour beyond, and at the first vertex of an earlier flood that ended so: a plateau is flooded
-/// once, in as many pieces as it takes, and what is not reached then is settled by its neighbours.
+/// A flood ends at the first neighbour beyond, and at the first vertex of an earlier flood that ended so: a
+/// plateau is flooded once, in as many pieces as it takes, and what is not reached then is settled by its
+/// neighbours.
 fn flood<M: Incidence + ?Sized>(
     mesh: &M,
     reached: &mut Vec<M::Vertex>,

@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 /// What [`stalactite()`] takes for the flank of a stalactite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StalactiteOptions {
-    /// The angle with the horizontal, in degrees, from which on a face is steep. The flank of a stalactite is steep, and
-    /// the roof is not.
+    /// The angle with the horizontal, in degrees, from which on a face is steep. The flank of a stalactite is
+    /// steep, and the roof is not.
     pub steep: f64,
 }
 
@@ -20,28 +20,30 @@ impl Default for StalactiteOptions {
 
 /// The stalactite that a picked vertex belongs to.
 ///
-/// The printed algorithm is a picture, and the text of the paper says only that adjacency finds "all the triangles of the
-/// stalactite". This is the rule here:
+/// The printed algorithm is a picture, and the text of the paper says only that adjacency finds "all the
+/// triangles of the stalactite". This is the rule here:
 ///
 /// 1. From the picked vertex down to the lowest neighbour, again and again, to the tip.
-/// 2. The *cap*: the faces at the tip, and from those of them that are not steep on, as long as faces are not steep. A tip
-///    is blunt, and as flat as the roof.
+/// 2. The *cap*: the faces at the tip, and from those of them that are not steep on, as long as faces are not
+///    steep. A tip is blunt, and as flat as the roof.
 /// 3. The *flank*: from there on, as long as faces are steep. It ends where it turns into the roof.
 ///
-/// Both only rise: a face is reached across an edge where its third vertex is not lower than both ends of
-/// the edge, so that every vertex of the region is at the end of a path along edges that starts at a face at the tip and never goes down, and
-/// a stalactite ends where the next one that has grown together with it begins. Where no steep face is reached there is no
-/// stalactite, and only the faces at the tip are given.
+/// Both only rise: a face is reached across an edge where its third vertex is not lower than both ends of the
+/// edge, so that every vertex of the region is at the end of a path along edges that starts at a face at the
+/// tip and never goes down, and a stalactite ends where the next one that has grown together with it begins.
+/// Where no steep face is reached there is no stalactite, and only the faces at the tip are given.
 ///
 /// # Arguments
-/// The positions, z up, a vertex of the stalactite, and from which angle on a face is steep. Which side of the faces is
-/// the outside makes no difference. A face without area is as steep as the one that it is reached from.
+/// The positions, z up, a vertex of the stalactite, and from which angle on a face is steep. Which side of the
+/// faces is the outside makes no difference. A face without area is as steep as the one that it is reached
+/// from.
 ///
 /// # Returns
 /// The region, from the tip up. None of an isolated vertex.
 ///
 /// # Complexity
-/// O(n log n) in the faces of the region, beside a check of all positions and one byte of scratch for each face of the mesh.
+/// O(n log n) in the faces of the region and the way down, beside a check of all positions and a byte for each face
+/// of the mesh.
 ///
 /// # Errors
 /// [`NotFinite`] where a coordinate is infinite or no number.
