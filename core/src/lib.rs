@@ -80,6 +80,7 @@ mod reference;
 mod searched;
 mod slot;
 mod topology;
+mod triangle;
 mod with_opposites;
 mod with_outgoing;
 
