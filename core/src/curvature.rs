@@ -4,7 +4,7 @@
 //! pointwise, and so only inside: they are 0 at the boundary, at isolated vertices, and where a vertex has other than as
 //! many edges as faces.
 use crate::{
-    Adjacency, Handle, Map, NotFinite, Topology, edges,
+    Adjacency, Map, NotFinite, Topology, edges,
     normals::{self, Weight},
     not_finite,
     triangle::{self, Triangle},
@@ -215,7 +215,6 @@ fn defects<M: Topology + ?Sized>(
     let mut angles = Map::filled(mesh.vertex_count(), 0.0);
     each_corner(mesh, positions, |t| triangle::corners(t, triangle::angle), |v, angle| angles[v] += angle);
     for (v, angle) in &mut angles {
-        // No face has the vertex: the angles of all others have a sum above zero, or there are several.
         *angle = PI * f64::from(2 - excess[v]) - *angle;
     }
     angles

@@ -2,11 +2,7 @@
 //!
 //! Lengths are the caller's: [`straight`] gives those of edges between positions. Where every edge counts one,
 //! [`k_ring`](crate::k_ring) finds the same levels without a queue.
-use crate::{
-    Handle, Map, Slot,
-    neighbours::Neighbours,
-    vector::{self},
-};
+use crate::{Handle, Map, Slot, neighbours::Neighbours, vector};
 use alloc::{collections::BinaryHeap, vec::Vec};
 use core::{cmp::Reverse, error::Error, fmt};
 
@@ -41,7 +37,7 @@ pub struct Path<V> {
 
 /// What the last search that reached a vertex found of it.
 #[derive(Clone, Copy, Debug)]
-struct Found<V> {
+struct Found<V: Handle> {
     distance: f64,
     predecessor: Slot<V>,
     search: u32,
@@ -69,7 +65,7 @@ struct Found<V> {
 /// E. W. Dijkstra, *A note on two problems in connexion with graphs*, Numerische Mathematik 1, 1959; with a binary heap
 /// that keeps outdated entries and skips them.
 #[derive(Clone, Debug)]
-pub struct Dijkstra<V> {
+pub struct Dijkstra<V: Handle> {
     found: Map<V, Found<V>>,
     search: u32,
     /// The bits of distances: as none is negative, they are in the order of the numbers, and quicker to compare.

@@ -112,7 +112,7 @@ impl Error for SmoothingError {}
 /// The positions, in place. Between steps they are `f64`, and are rounded once, at the end. All are finite.
 ///
 /// # Complexity
-/// O(vertices + half-edges) a step; 57 bytes for each vertex, taken once for all steps.
+/// O(vertices + half-edges) a step; 69 bytes for each vertex, taken once for all steps.
 ///
 /// # Errors
 /// [`SmoothingError`]; positions are then unchanged. Panics if a position is missing.
@@ -153,7 +153,7 @@ pub fn smooth<M: Adjacency + ?Sized>(
         state.step(options.weights, options.lambda);
         options.mu.into_iter().for_each(|mu| state.step(options.weights, mu));
     }
-    let smoothed = state.at.iter().map(|(_, &at)| vector::rounded(at)).collect();
+    let smoothed: Map<M::Vertex, _> = state.at.iter().map(|(_, &at)| vector::rounded(at)).collect();
     not_finite::positions(&smoothed)?;
     // Positions beyond the vertices are none of ours.
     positions.as_mut_slice()[..smoothed.len()].copy_from_slice(smoothed.as_slice());
