@@ -1,7 +1,7 @@
 //! Curvature: Gauss and Bonnet on every mesh, and the analytic answers on solids.
 use super::samples::{held, near};
 use super::solids;
-use onering::{Adjacency, FromFaces, Handle, Map, NotFinite, Topology, curvature, euler, measure};
+use onering::{Adjacency, FromFaces, Handle, Map, NotFinite, curvature, euler, measure};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Exact but for rounding, with boundary and with whatever defects.

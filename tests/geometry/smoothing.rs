@@ -98,7 +98,7 @@ pub fn plane_stays<M: Adjacency + FromFaces>() {
     }
     // By cotangents a plane of uneven triangles is as it should be, and stays.
     let mut plane = solids::plane(4, 4);
-    plane.positions.iter_mut().for_each(|p| p[0] += 0.2 * p[1] + 0.03 * p[0] * p[0]);
+    plane.positions.iter_mut().for_each(|p| p[0] += 0.03 * p[0] * p[0] - 0.2 * p[1]);
     let (mesh, mut positions) = (plane.build::<M>(), plane.positions());
     let options = Options { weights: Weights::Cotangent, steps: 5, ..Options::default() };
     smooth(&mesh, &mut positions, |_| false, &options).unwrap();
@@ -115,10 +115,10 @@ pub fn sphere_shrinks_unless_told_not_to<M: Adjacency + FromFaces>() {
         let run = |options: &Options| {
             let mut positions = sphere.positions();
             smooth(&mesh, &mut positions, |_| false, options).unwrap();
-            // What is smooth stays round.
+            // It stays round, but that vertices of five neighbours move at another pace.
             let radii = positions.as_slice().iter().map(|&p| vector::length(vector::of(p)));
             let (least, most) = radii.fold((f64::MAX, 0.0_f64), |(a, b), r| (a.min(r), b.max(r)));
-            assert!(most / least < 1.02, "{least} {most}");
+            assert!(most / least < 1.04, "{least} {most}");
             volume(&positions) / before
         };
         let plain = run(&Options { weights, steps: 20, lambda: 0.33, mu: None });
