@@ -1,8 +1,8 @@
 //! Curvature at vertices: the angle defect, and what it and the cotangent Laplacian say of the smooth surface.
 //!
 //! Defects are defined for every mesh, and their sum is always 2 pi times the Euler characteristic. Curvatures are
-//! pointwise, and so only inside: they are 0 at the boundary, at isolated vertices, and where a vertex has other than as
-//! many edges as faces.
+//! pointwise, and so only inside: they are 0 at the boundary, at isolated vertices, and where a vertex has other
+//! than as many edges as faces.
 use crate::{
     Adjacency, Map, NotFinite, Topology, edges,
     normals::{self, Weight},
@@ -56,9 +56,9 @@ pub fn angle_defects<M: Adjacency + ?Sized>(
     Ok(defects(mesh, positions, &edge_excess(mesh)))
 }
 
-/// The area that belongs to each vertex: the part of its faces that is nearer to it than to their other corners, but
-/// that a face with an obtuse angle gives half of its area to that corner and a quarter to each other. All add up to the
-/// area of the mesh.
+/// The area that belongs to each vertex: the part of its faces that is nearer to it than to their other corners,
+/// but that a face with an obtuse angle gives half of its area to that corner and a quarter to each other. All add
+/// up to the area of the mesh.
 ///
 /// # Arguments
 /// `positions`: of all vertices.
@@ -102,8 +102,8 @@ pub fn mixed_areas<M: Topology + ?Sized>(
 /// `positions`: of all vertices.
 ///
 /// # Returns
-/// The curvatures, in one over the square of the unit of the positions; 0 where the [module](self) says, and where there
-/// is no area.
+/// The curvatures, in one over the square of the unit of the positions; 0 where the [module](self) says, and where
+/// there is no area.
 ///
 /// # Complexity
 /// O(vertices + half-edges); 20 bytes for each vertex, of which 8 are the result.
@@ -142,19 +142,19 @@ pub fn gaussian<M: Adjacency + ?Sized>(
     Ok(curvatures)
 }
 
-/// The mean curvature of the surface at each vertex: the mean of its two principal curvatures, positive where it bends
-/// away from its normal, as a sphere does whose faces look outward.
+/// The mean curvature of the surface at each vertex: the mean of its two principal curvatures, positive where it
+/// bends away from its normal, as a sphere does whose faces look outward.
 ///
 /// It is half the length of the mean curvature normal: the cotangent Laplacian of the positions divided by
-/// [`mixed_areas`]. Its sign is that of its direction along the area-weighted normal of the vertex. Degenerate faces count
-/// for nothing.
+/// [`mixed_areas`]. Its sign is that of its direction along the area-weighted normal of the vertex. Degenerate
+/// faces count for nothing.
 ///
 /// # Arguments
 /// `positions`: of all vertices.
 ///
 /// # Returns
-/// The curvatures, in one over the unit of the positions; 0 where the [module](self) says, and where there is no area or
-/// no normal.
+/// The curvatures, in one over the unit of the positions; 0 where the [module](self) says, and where there is no
+/// area or no normal.
 ///
 /// # Complexity
 /// O(vertices + half-edges); 60 bytes for each vertex, of which 8 are the result.

@@ -62,8 +62,8 @@ struct Found<V: Handle> {
 /// ```
 ///
 /// # Source
-/// E. W. Dijkstra, *A note on two problems in connexion with graphs*, Numerische Mathematik 1, 1959; with a binary heap
-/// that keeps outdated entries and skips them.
+/// E. W. Dijkstra, *A note on two problems in connexion with graphs*, Numerische Mathematik 1, 1959; with a binary
+/// heap that keeps outdated entries and skips them.
 #[derive(Clone, Debug)]
 pub struct Dijkstra<V: Handle> {
     found: Map<V, Found<V>>,
@@ -79,8 +79,8 @@ impl<V: Handle> Default for Dijkstra<V> {
 }
 
 impl<V: Handle> Dijkstra<V> {
-    /// Scratch without memory yet: a search takes 16 bytes for each vertex of the mesh, and 16 at most for each half-edge
-    /// that it follows, most often far less.
+    /// Scratch without memory yet: a search takes 16 bytes for each vertex of the mesh, and 16 at most for each
+    /// half-edge that it follows, most often far less.
     pub fn new() -> Self {
         Self { found: Map::default(), search: 0, queue: BinaryHeap::new() }
     }
@@ -88,8 +88,8 @@ impl<V: Handle> Dijkstra<V> {
     /// Finds the distance of every vertex from the nearest of `sources`.
     ///
     /// # Arguments
-    /// `sources`: where distance is 0; with none, nothing is reached. `length`: of the edge from a vertex to a neighbour,
-    /// asked for in both directions, which may differ. An edge of infinite length leads nowhere.
+    /// `sources`: where distance is 0; with none, nothing is reached. `length`: of the edge from a vertex to a
+    /// neighbour, asked for in both directions, which may differ. An edge of infinite length leads nowhere.
     ///
     /// # Returns
     /// The distances, by [`distance`](Self::distance), and the ways there, by [`path`](Self::path).
@@ -98,8 +98,8 @@ impl<V: Handle> Dijkstra<V> {
     /// O(edges log edges) of what can be reached, and O(vertices) where the scratch grows.
     ///
     /// # Errors
-    /// [`BadLength`] names the first edge that is met whose length is negative or no number. Panics where a source is out of
-    /// range.
+    /// [`BadLength`] names the first edge that is met whose length is negative or no number. Panics where a source
+    /// is out of range.
     pub fn search<G: Neighbours<Node = V> + ?Sized>(
         &mut self,
         graph: &G,
@@ -109,9 +109,9 @@ impl<V: Handle> Dijkstra<V> {
         self.search_until(graph, sources, length, |_, _| false)
     }
 
-    /// As [`search`](Self::search), but ends early: vertices are asked about in the order of their distances, which is
-    /// then known to be theirs, and `is_last` says whether it was enough. Of other vertices the distance may be too
-    /// large.
+    /// As [`search`](Self::search), but ends early: vertices are asked about in the order of their distances, which
+    /// is then known to be theirs, and `is_last` says whether it was enough. Of other vertices the distance may be
+    /// too large.
     ///
     /// # Errors
     /// As for [`search`](Self::search); an edge that is not met is not looked at.
@@ -198,8 +198,8 @@ impl<V: Handle> Dijkstra<V> {
 /// `positions`: of all vertices.
 ///
 /// # Returns
-/// What the functions here take as `length`. An edge to a position that is infinite or no number is a [`BadLength`], or
-/// leads nowhere.
+/// What the functions here take as `length`. An edge to a position that is infinite or no number is a
+/// [`BadLength`], or leads nowhere.
 ///
 /// # Complexity
 /// O(1) an edge.
@@ -217,7 +217,8 @@ pub fn straight<V: Handle>(positions: &Map<V, [f32; 3]>) -> impl Fn(V, V) -> f64
     |u, v| vector::length(vector::minus(vector::of(positions[v]), vector::of(positions[u])))
 }
 
-/// The distance field of some vertices: the length of the shortest path along edges from the nearest of them to each vertex.
+/// The distance field of some vertices: the length of the shortest path along edges from the nearest of them to
+/// each vertex.
 ///
 /// # Arguments
 /// `sources`: where distance is 0. `length`: of the edge from a vertex to a neighbour, such as [`straight`].
@@ -229,8 +230,8 @@ pub fn straight<V: Handle>(positions: &Map<V, [f32; 3]>) -> impl Fn(V, V) -> f64
 /// O(vertices + edges log edges). Keep a [`Dijkstra`] to ask for many.
 ///
 /// # Errors
-/// [`BadLength`] names the first edge that is met whose length is negative or no number. Panics where a source is out of
-/// range.
+/// [`BadLength`] names the first edge that is met whose length is negative or no number. Panics where a source is
+/// out of range.
 ///
 /// # Example
 /// ```
@@ -265,11 +266,12 @@ pub fn distances<G: Neighbours + ?Sized>(
 /// Of several paths as short, any.
 ///
 /// # Complexity
-/// O(vertices), for the scratch, + O(edges log edges) of what is nearer than `to`. Keep a [`Dijkstra`] to ask for many.
+/// O(vertices), for the scratch, + O(edges log edges) of what is nearer than `to`. Keep a [`Dijkstra`] to ask for
+/// many.
 ///
 /// # Errors
-/// [`BadLength`] names the first edge that is met whose length is negative or no number. Panics where `from` is out of
-/// range, or `to` is and has to be looked for.
+/// [`BadLength`] names the first edge that is met whose length is negative or no number. Panics where `from` is out
+/// of range, or `to` is and has to be looked for.
 ///
 /// # Example
 /// ```

@@ -61,11 +61,11 @@ pub fn area<M: Topology + ?Sized>(mesh: &M, positions: &Map<M::Vertex, [f32; 3]>
     Ok(mesh.faces().map(|f| face_area(mesh, positions, f)).sum())
 }
 
-/// The signed volume of the cones from the origin to all faces: the volume within, where the surface is closed and its
-/// faces look outward, wherever the origin is.
+/// The signed volume of the cones from the origin to all faces: the volume within, where the surface is closed and
+/// its faces look outward, wherever the origin is.
 ///
-/// It is summed from cones to a vertex of the mesh and moved to the origin after, which is the same number with less lost:
-/// a small body far from the origin keeps its digits, as far as positions of `f32` have them.
+/// It is summed from cones to a vertex of the mesh and moved to the origin after, which is the same number with
+/// less lost: a small body far from the origin keeps its digits, as far as positions of `f32` have them.
 ///
 /// # Arguments
 /// `positions`: of all vertices.

@@ -27,9 +27,10 @@ pub struct Options {
     /// The part of the way to the mean of its neighbours that a vertex goes in a step: above 0, at most 1. In this
     /// range a step is stable: each position is a mean of old ones, so none leaves their convex hull.
     pub lambda: f64,
-    /// After each step another by this factor, away from the mean, so that smooth parts keep their size: negative, and
-    /// beyond `-lambda` (Taubin). Waves of the frequency 1/lambda + 1/mu keep their height, lower ones grow a little, higher ones shrink;
-    /// the highest, 2, do not grow where (1 - 2 lambda)(1 - 2 mu) is at least -1, which is asked for.
+    /// After each step another by this factor, away from the mean, so that smooth parts keep their size: negative,
+    /// and beyond `-lambda` (Taubin). Waves of the frequency 1/lambda + 1/mu keep their height, lower ones grow a
+    /// little, higher ones shrink; the highest, 2, do not grow where (1 - 2 lambda)(1 - 2 mu) is at least -1, which
+    /// is asked for.
     pub mu: Option<f64>,
 }
 
@@ -98,15 +99,16 @@ impl fmt::Display for SmoothingError {
 
 impl Error for SmoothingError {}
 
-/// Smooths positions in place: in each step every vertex goes a part of the way to the weighted mean of its neighbours,
-/// all at once, by the positions of the step before.
+/// Smooths positions in place: in each step every vertex goes a part of the way to the weighted mean of its
+/// neighbours, all at once, by the positions of the step before.
 ///
-/// Vertices of boundary edges stay where they are, so holes and the rim of an open surface do; so do isolated vertices, and
-/// those of the caller. An edge of three or more faces is one edge, its weight the sum over all of them.
+/// Vertices of boundary edges stay where they are, so holes and the rim of an open surface do; so do isolated
+/// vertices, and those of the caller. An edge of three or more faces is one edge, its weight the sum over all of
+/// them.
 ///
 /// # Arguments
-/// `positions`: of all vertices; changed. `is_fixed`: vertices that stay besides; `|_| false` for none. `options`: weights,
-/// number of steps, and factors.
+/// `positions`: of all vertices; changed. `is_fixed`: vertices that stay besides; `|_| false` for none. `options`:
+/// weights, number of steps, and factors.
 ///
 /// # Returns
 /// The positions, in place. Between steps they are `f64`, and are rounded once, at the end. All are finite.
@@ -132,8 +134,9 @@ impl Error for SmoothingError {}
 ///
 /// # Source
 /// Uniform: D. A. Field, *Laplacian smoothing and Delaunay triangulations*, 1988. Cotangents: M. Desbrun, M. Meyer,
-/// P. Schröder and A. H. Barr, *Implicit fairing of irregular meshes using diffusion and curvature flow*, SIGGRAPH 1999,
-/// here by explicit steps. Two factors: G. Taubin, *A signal processing approach to fair surface design*, SIGGRAPH 1995.
+/// P. Schröder and A. H. Barr, *Implicit fairing of irregular meshes using diffusion and curvature flow*, SIGGRAPH
+/// 1999, here by explicit steps. Two factors: G. Taubin, *A signal processing approach to fair surface design*,
+/// SIGGRAPH 1995.
 pub fn smooth<M: Adjacency + ?Sized>(
     mesh: &M,
     positions: &mut Map<M::Vertex, [f32; 3]>,

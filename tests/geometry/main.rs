@@ -1,5 +1,5 @@
-//! What positions give: normals, areas, curvature, smoothing, shortest paths. On every backend that has the trait, against
-//! analytic answers and slow search; whatever the positions, nothing that is no number comes of numbers.
+//! What positions give: normals, areas, curvature, smoothing, shortest paths. On every backend that has the trait,
+//! against analytic answers and slow search; whatever the positions, nothing that is no number comes of numbers.
 #![allow(unreachable_pub, reason = "a test has no outside")]
 
 mod checks;

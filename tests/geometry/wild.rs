@@ -6,6 +6,7 @@ use onering::neighbours::Neighbours;
 use onering::normals::{Weight, vertex_normal, vertex_normals};
 use onering::smoothing::{Options, SmoothingError, Weights, smooth};
 use onering::*;
+use proptest::num::f32::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -14,7 +15,7 @@ fn coordinate() -> impl Strategy<Value = f32> {
     prop_oneof![
         4 => -1.0..1.0_f32,
         3 => (-2..3_i8).prop_map(f32::from),
-        2 => prop::num::f32::NORMAL | prop::num::f32::SUBNORMAL | prop::num::f32::ZERO | prop::num::f32::NEGATIVE | prop::num::f32::POSITIVE,
+        2 => NORMAL | SUBNORMAL | ZERO | NEGATIVE | POSITIVE,
         1 => prop::sample::select(vec![f32::MAX, -f32::MAX, f32::MIN_POSITIVE, 1e-45, -1e-45, 1e-30]),
     ]
 }
