@@ -20,6 +20,7 @@
 //! - Input: [`Defects`] names what is wrong with a list of triangles, [`repair()`] mends it.
 //! - Algorithms: [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`], [`umbrella`], [`orientation`],
 //!   [`euler`], [`degrees`].
+//! - Algorithms that take positions: [`normals`], [`measure`], [`curvature`], [`smoothing`], [`distance`].
 //! - For the author of a structure: [`pairing`], [`fans`], [`ring`], [`corner`], [`memory`], and the laws in
 //!   `conformance` (a feature).
 #![no_std]
@@ -80,6 +81,7 @@ mod reference;
 mod searched;
 mod slot;
 mod topology;
+mod triangle;
 mod with_opposites;
 mod with_outgoing;
 
