@@ -18,7 +18,7 @@ use alloc::vec::Vec;
 /// # use onering::CheL2 as Mesh;
 /// use onering_core::{FromFaces, reorder};
 /// let strip = Mesh::from_faces(5, &[[0, 3, 2], [2, 3, 4], [4, 3, 1]])?;
-/// assert_eq!(format!("{:?}", reorder::breadth_first(&strip)), "[v0, v3, v2, v4, v1]");
+/// assert_eq!(format!("{:?}", reorder::breadth_first(&strip)), "[v0, v3, v2, v1, v4]");
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
 ///
