@@ -1,6 +1,7 @@
 //! Filled holes: closed afterwards, in one orientation, by no edge too many, and with the least area where that is asked.
 #![allow(unreachable_pub, reason = "a test has no outside")]
 #[path = "common/real.rs"]
+#[allow(dead_code, reason = "figures are for other tests")]
 mod real;
 #[path = "algorithms/samples.rs"]
 #[allow(dead_code, reason = "each test uses a part of it")]

@@ -74,9 +74,10 @@ fn is_first<M: Topology + ?Sized>(mesh: &M, sides: [M::HalfEdge; 3], h: M::HalfE
         && sides.into_iter().take_while(|&side| side != h).all(|side| along(side).is_none())
 }
 
-/// Whether two half-edges lie along the same edge.
+/// Whether two half-edges lie along the same edge. A side of a degenerate face that returns to its own vertex lies along
+/// none.
 #[inline]
 fn is_parallel<M: Topology + ?Sized>(mesh: &M, h: M::HalfEdge, g: M::HalfEdge) -> bool {
     let [a, b, c, d] = [mesh.origin(h), mesh.target(h), mesh.origin(g), mesh.target(g)];
-    (a, b) == (c, d) || (a, b) == (d, c)
+    a != b && ((a, b) == (c, d) || (a, b) == (d, c))
 }

@@ -1,6 +1,8 @@
 //! Finer triangles: Loop and midpoint subdivision, each face into four.
 //!
-//! Both give the same [`faces`](Subdivided::faces), and differ in where they put the vertices.
+//! Both give the same [`faces`](Subdivided::faces), and differ in where they put the vertices. What is a manifold stays
+//! one, with one exception: faces over the same three vertices share their new vertices too, so that each edge between
+//! these gets two faces from each. [`repair`](crate::repair()) drops such copies.
 use crate::{Adjacency, BuildError, Handle, Map, NotFinite, edges, memory, not_finite, pairing, vector};
 use alloc::vec::Vec;
 use core::fmt;
