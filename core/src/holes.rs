@@ -99,7 +99,8 @@ pub enum LeftReason {
 ///
 /// # Complexity
 /// O(half-edges), and for each loop of n edges O(n^3) up to [`FillOptions::optimal_edges`] and O(n^2) above, with O(n^2)
-/// memory up to it and O(n) above. So never more than O(half-edges x (max_edges + optimal_edges^2)).
+/// memory up to it and O(n) above; each with a logarithm for what it asks of the edges. So, whatever the mesh, never more
+/// than the boundary's length times (max_edges + optimal_edges^2).
 ///
 /// # Errors
 /// [`NotFinite`].

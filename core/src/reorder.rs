@@ -82,17 +82,17 @@ impl Reordering {
 /// Standard.
 pub fn reorder<M: Topology + ?Sized>(mesh: &M, order: &[M::Vertex]) -> Reordering {
     let target = positions_in(order, mesh.vertex_count());
-    let least = |f| mesh.face_vertices(f).map(|v| target[v]).into_iter().min();
-    // Where the faces of each least vertex end, then where the next of them goes.
-    let mut ends = vec![0_u32; mesh.vertex_count() + 1];
-    let slot = |least: Option<u32>| least.map_or(0, |v| v as usize);
-    mesh.faces().for_each(|f| ends[slot(least(f)) + 1] += 1);
-    (1..ends.len()).for_each(|v| ends[v] += ends[v - 1]);
+    let renumbered = |f| mesh.face_vertices(f).map(|v| target[v]);
+    let least = |[a, b, c]: [u32; 3]| a.min(b).min(c) as usize;
+    // Where the faces of each least vertex begin, and then where the next of them goes.
+    let mut starts = vec![0_u32; mesh.vertex_count() + 1];
+    mesh.faces().for_each(|f| starts[least(renumbered(f)) + 1] += 1);
+    (1..starts.len()).for_each(|v| starts[v] += starts[v - 1]);
     let mut faces = vec![[0; 3]; mesh.face_count()];
     let mut face_source = vec![0; mesh.face_count()];
     for f in mesh.faces() {
-        let face = mesh.face_vertices(f).map(|v| target[v]);
-        let at = &mut ends[slot(face.into_iter().min())];
+        let face = renumbered(f);
+        let at = &mut starts[least(face)];
         faces[*at as usize] = face;
         face_source[*at as usize] = f.index() as u32;
         *at += 1;
