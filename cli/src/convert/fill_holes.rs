@@ -17,7 +17,7 @@ pub(super) fn apply(max_edges: usize, mesh: &mut Triangles) -> Result<String, St
     if let Some(starts) = &mut mesh.polygon_starts {
         starts.extend((first..mesh.faces.len()).map(|face| face as u32));
     }
-    let left = |reason| filled.left.iter().filter(|curve| curve.reason == reason).count();
+    let left = |reason: LeftReason| filled.left.iter().filter(|curve| curve.reason == reason).count();
     let reasons = [
         (left(LeftReason::TooLong), "longer than asked"),
         (left(LeftReason::EndsEarly), "not closed"),
