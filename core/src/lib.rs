@@ -21,6 +21,7 @@
 //! - Algorithms: [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`], [`umbrella`], [`orientation`],
 //!   [`euler`], [`degrees`].
 //! - Algorithms that take positions: [`normals`], [`measure`], [`curvature`], [`smoothing`], [`distance`].
+//!   [`euler`], [`degrees`], [`dual`], [`holes`], [`reorder`], [`subdivision`], [`submesh`].
 //! - For the author of a structure: [`pairing`], [`fans`], [`ring`], [`corner`], [`memory`], and the laws in
 //!   `conformance` (a feature).
 #![no_std]
