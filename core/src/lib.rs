@@ -19,7 +19,7 @@
 //!
 //! - Input: [`Defects`] names what is wrong with a list of triangles, [`repair()`] mends it.
 //! - Algorithms: [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`], [`umbrella`], [`orientation`],
-//!   [`euler`], [`degrees`].
+//!   [`euler`], [`degrees`], [`relations`].
 //! - For the author of a structure: [`pairing`], [`fans`], [`ring`], [`corner`], [`memory`], and the laws in
 //!   `conformance` (a feature).
 #![no_std]
