@@ -43,7 +43,9 @@ pub fn topology<M: Topology>(oracle: &Oracle, mesh: &M) {
 pub fn adjacency<M: Adjacency>(oracle: &Oracle, mesh: &M) {
     let may_repeat = oracle.is_degenerate;
     let mut least = BTreeMap::new();
-    mesh.half_edges().for_each(|h| drop(least.entry(number(mesh, h)).or_insert(h)));
+    for h in mesh.half_edges() {
+        least.entry(number(mesh, h)).or_insert(h);
+    }
     for h in mesh.half_edges() {
         let (e, of) = (number(mesh, h), (oracle.name.as_str(), h));
         assert_eq!(edge(mesh, h), least[&e], "{of:?}");
