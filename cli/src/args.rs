@@ -6,11 +6,13 @@ mod formats;
 pub(crate) use formats::{is_written, written};
 mod inspect;
 mod mesh_file;
+mod query;
 
 pub(crate) use compare::Compare;
 pub(crate) use convert::Convert;
 pub(crate) use inspect::Inspect;
 pub(crate) use mesh_file::MeshFile;
+pub(crate) use query::{GRAPH, Query};
 
 use crate::output::{self, Status};
 use clap::{CommandFactory, Parser, Subcommand};
@@ -42,6 +44,7 @@ pub(crate) enum Command {
     Inspect(Inspect),
     Convert(Convert),
     Compare(Compare),
+    Query(Query),
     Completions(Completions),
     Man(Man),
 }
@@ -80,6 +83,7 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Inspect(inspect) => inspect.check(),
         Command::Convert(convert) => convert.check(),
         Command::Compare(compare) => compare.check(),
+        Command::Query(query) => query.check(),
         Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))

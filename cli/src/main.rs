@@ -1,5 +1,5 @@
 //! onering at the shell: `inspect` tells what is in a mesh file, `convert` makes another one of it, `compare` measures
-//! the data structures on it.
+//! the data structures on it, `query` asks one what is around an element.
 //! Thin over the library: what it prints, the crates `onering` and `onering-io` can be asked for.
 
 mod args;
@@ -10,11 +10,16 @@ mod failure;
 mod heap;
 mod input;
 mod inspect;
+mod machine;
 mod made;
 mod on_backend;
 mod output;
 mod progress;
+mod query;
+mod random;
 mod shell;
+mod tables;
+mod timing;
 
 use args::Command;
 use output::Status;
@@ -31,6 +36,7 @@ fn main() -> ExitCode {
         Some(Command::Inspect(options)) => inspect::run(&options),
         Some(Command::Convert(options)) => convert::run(&options),
         Some(Command::Compare(options)) => compare::run(&options),
+        Some(Command::Query(options)) => query::run(&options),
         Some(Command::Completions(options)) => shell::completions(&options),
         Some(Command::Man(options)) => shell::man(&options),
     }))

@@ -26,6 +26,12 @@ pub(crate) fn names() -> impl Iterator<Item = &'static str> {
     with_faces.map(|backend| backend.name).chain([SEARCHED])
 }
 
+/// Whether this one of [`names`] searches all faces for what lies across an edge.
+pub(crate) fn searches(name: &str) -> bool {
+    let row = BACKENDS.iter().find(|backend| backend.name == name);
+    row.is_none_or(|backend| !backend.traits.contains(&"adjacency"))
+}
+
 /// The mesh of the command line, welded and repaired where that is asked for; `made` where no file is named.
 pub(crate) fn read(options: &MeshFile, made: fn() -> Triangles) -> Result<Triangles, Failure> {
     let Some(path) = &options.file else { return Ok(made()) };

@@ -2,7 +2,6 @@
 
 mod case;
 mod kernels;
-mod machine;
 mod measure;
 mod record;
 mod reference;
@@ -11,14 +10,13 @@ mod rings;
 mod row;
 mod sample;
 mod subject;
-mod timing;
 
 use crate::args;
 use crate::default_mesh;
+use crate::machine::Machine;
 use crate::output::{self, Status};
 use case::Case;
 use indicatif::{ProgressBar, ProgressStyle};
-use machine::Machine;
 use onering_io::Replacement;
 use record::{Mesh, Run, Settings, Unread};
 use row::Rows;
