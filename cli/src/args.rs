@@ -1,16 +1,24 @@
 //! What can be said on the command line.
 
 mod compare;
+mod contours;
 mod convert;
 mod formats;
 pub(crate) use formats::{is_written, written};
+mod heights;
 mod inspect;
 mod mesh_file;
+mod minima;
+mod region;
 
 pub(crate) use compare::Compare;
+pub(crate) use contours::Contours;
 pub(crate) use convert::Convert;
+pub(crate) use heights::Heights;
 pub(crate) use inspect::Inspect;
 pub(crate) use mesh_file::MeshFile;
+pub(crate) use minima::Minima;
+pub(crate) use region::{Region, Seed};
 
 use crate::output::{self, Status};
 use clap::{CommandFactory, Parser, Subcommand};
@@ -42,6 +50,9 @@ pub(crate) enum Command {
     Inspect(Inspect),
     Convert(Convert),
     Compare(Compare),
+    Contours(Contours),
+    Minima(Minima),
+    Region(Region),
     Completions(Completions),
     Man(Man),
 }
@@ -80,6 +91,7 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Inspect(inspect) => inspect.check(),
         Command::Convert(convert) => convert.check(),
         Command::Compare(compare) => compare.check(),
+        Command::Contours(_) | Command::Minima(_) | Command::Region(_) => {}
         Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))

@@ -4,17 +4,24 @@
 
 mod args;
 mod compare;
+mod contours;
 mod convert;
 mod default_mesh;
 mod failure;
 mod heap;
 mod input;
 mod inspect;
+mod level;
 mod made;
+mod minima;
 mod on_backend;
 mod output;
 mod progress;
+mod region;
 mod shell;
+mod surface;
+mod svg_map;
+mod up;
 
 use args::Command;
 use output::Status;
@@ -31,6 +38,9 @@ fn main() -> ExitCode {
         Some(Command::Inspect(options)) => inspect::run(&options),
         Some(Command::Convert(options)) => convert::run(&options),
         Some(Command::Compare(options)) => compare::run(&options),
+        Some(Command::Contours(options)) => contours::run(&options),
+        Some(Command::Minima(options)) => minima::run(&options),
+        Some(Command::Region(options)) => region::run(&options),
         Some(Command::Completions(options)) => shell::completions(&options),
         Some(Command::Man(options)) => shell::man(&options),
     }))
