@@ -5,8 +5,8 @@ use onering::contours;
 
 /// Levels between two that are drawn thicker.
 const INDEX: usize = 5;
-/// About how many levels there are where nobody says how many.
-const USUAL: f64 = 18.0;
+/// The most levels where nobody says how many; round steps make from two fifths of it up.
+const USUAL: f64 = 37.5;
 /// More could hardly be told apart, and would be asked for by mistake only.
 const MOST: f64 = 100_000.0;
 
@@ -124,7 +124,7 @@ mod tests {
     fn usual_levels_are_some_and_each_fifth_multiple_is_an_index() {
         for (least, most) in [(0.0, 1.0), (-3.7, 12.1), (171.5, 415.6), (-1e-6, 1e-6), (1e30, 3e30)] {
             let levels = Levels::usual([least, most]);
-            assert!((7..=20).contains(&levels.all.len()), "{levels:?}");
+            assert!((14..=38).contains(&levels.all.len()), "{levels:?}");
             assert!(levels.all.iter().all(|level| (least..=most).contains(&level.height)));
         }
         let levels = Levels::every(2.0, [-11.0, 21.0]);

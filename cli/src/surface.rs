@@ -3,10 +3,20 @@
 use crate::args::{Heights, MeshFile};
 use crate::failure::Failure;
 use crate::up::{Up, has_y_up_and_metres};
-use crate::{input, on_backend};
+use crate::{input, made, on_backend};
 use onering::{Handle, Map, NotFinite};
 use onering_io::{Triangles, one_line};
 use std::fmt::Display;
+
+/// What is looked at where no file is named.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Made {
+    name: &'static str,
+    mesh: fn() -> Triangles,
+}
+
+pub(crate) const TERRAIN: Made = Made { name: "hills and hollows (made here)", mesh: made::terrain::mesh };
+pub(crate) const ROOF: Made = Made { name: "roof of a cave (made here)", mesh: made::roof::mesh };
 
 /// A mesh whose coordinates are all finite.
 #[derive(Debug)]
@@ -28,12 +38,12 @@ impl Surface {
     /// What [`on_backend::read`] says, and where a coordinate is infinite or no number.
     pub(crate) fn read(
         file: &MeshFile,
-        made: fn() -> Triangles,
+        made: Made,
         up: Option<Up>,
         unit: Option<&str>,
     ) -> Result<Self, Failure> {
-        let (mesh, format) = on_backend::read_with_format(file, made)?;
-        let name = file.file.as_deref().map_or("a mesh made here".into(), |path| input::name_of(path));
+        let (mesh, format) = on_backend::read_with_format(file, made.mesh)?;
+        let name = file.file.as_deref().map_or(made.name.into(), input::name_of);
         let finite = |p: &[f32; 3]| p.iter().all(|x| x.is_finite());
         if let Some(vertex) = mesh.positions.iter().position(|p| !finite(p)) {
             return Err(Failure::Input(format!("{name}: {}", NotFinite { vertex })));
@@ -44,11 +54,7 @@ impl Surface {
     }
 
     /// As [`read`](Self::read), with the field that is asked for.
-    pub(crate) fn with_field(
-        file: &MeshFile,
-        made: fn() -> Triangles,
-        heights: &Heights,
-    ) -> Result<Self, Failure> {
+    pub(crate) fn with_field(file: &MeshFile, made: Made, heights: &Heights) -> Result<Self, Failure> {
         let surface = Self::read(file, made, heights.up, heights.unit.as_deref())?;
         Ok(Self { coordinate: heights.field(), ..surface })
     }

@@ -9,7 +9,7 @@ const MOST_LEVELS: u32 = 100_000;
 
 /// Draw the lines of equal height on a mesh
 ///
-/// Prints each level with its lines and their length. Without levels, a round step is taken that makes about 15.
+/// Prints each level with its lines and their length. Without levels, a round step is taken that makes 15 to 38.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXIT_CODES, group = ArgGroup::new("which levels"))]
 pub(crate) struct Contours {

@@ -9,9 +9,9 @@ use crate::failure::Failure;
 use crate::level::Levels;
 use crate::minima::Extrema;
 use crate::output::{self, Status};
-use crate::surface::Surface;
+use crate::surface::{self, Surface};
 use crate::svg_map::{self, Map};
-use crate::{args, made, on_backend};
+use crate::{args, on_backend};
 use onering::Incidence;
 use report::Report;
 use std::io;
@@ -26,7 +26,7 @@ pub(crate) fn run(options: &args::Contours) -> io::Result<Status> {
 
 /// What is to be printed. Files are written before: nothing is said of one that could not be.
 fn contours(options: &args::Contours) -> Result<String, Failure> {
-    let surface = &Surface::with_field(&options.mesh, made::terrain::mesh, &options.heights)?;
+    let surface = &Surface::with_field(&options.mesh, surface::TERRAIN, &options.heights)?;
     let levels = &Levels::of(options, surface.range()).map_err(Failure::Usage)?;
     check_size(surface, levels)?;
     let work = Work { surface, levels, minima: options.minima };
@@ -38,7 +38,11 @@ fn contours(options: &args::Contours) -> Result<String, Failure> {
         svg_map::save(path, &Map { surface, levels, lines: &traced.lines, extrema: &extrema })?;
     }
     let report = Report::new(&options.mesh.backend, surface, levels, &traced, &extrema);
-    Ok(if options.json { report.json() } else { report.text(surface) })
+    if options.json {
+        return Ok(report.json());
+    }
+    output::tell(&format!("traced in {:.3} ms on {}", 1e3 * traced.seconds, options.mesh.backend));
+    Ok(report.text(surface))
 }
 
 /// Contours, and minima where they are asked for.

@@ -96,12 +96,11 @@ impl<'a> Report<'a> {
         for Row { level, closed, open, length } in &self.levels {
             let _ = writeln!(text, "{level:>16}{closed:>10}{open:>10}{length:>16.6}");
         }
-        let Self { closed, open, length, seconds, .. } = self;
+        let Self { closed, open, length, .. } = self;
         let _ = writeln!(text, "{:>16}{closed:>10}{open:>10}{length:>16.6}", "all");
         if !self.minima.is_empty() {
             let _ = writeln!(text, "{} minima", self.minima.len());
         }
-        let _ = writeln!(text, "traced in {:.3} ms on {}", 1e3 * seconds, self.backend);
         text
     }
 }

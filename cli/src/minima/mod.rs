@@ -9,9 +9,9 @@ use crate::contours::{Traced, check_size};
 use crate::failure::Failure;
 use crate::level::Levels;
 use crate::output::{self, Status};
-use crate::surface::Surface;
+use crate::surface::{self, Surface};
 use crate::svg_map::{self, Map};
-use crate::{args, made, on_backend};
+use crate::{args, on_backend};
 use onering::{Incidence, NotFinite, critical};
 use report::Report;
 use std::io;
@@ -27,7 +27,7 @@ pub(crate) fn run(options: &args::Minima) -> io::Result<Status> {
 
 /// What is to be printed. Files are written before: nothing is said of one that could not be.
 fn minima(options: &args::Minima) -> Result<String, Failure> {
-    let made = if options.stalactites { made::roof::mesh } else { made::terrain::mesh };
+    let made = if options.stalactites { surface::ROOF } else { surface::TERRAIN };
     let surface = &Surface::with_field(&options.mesh, made, &options.heights)?;
     // Beside the points, a map has lines.
     let range = surface.range().filter(|_| options.svg.is_some());
@@ -43,7 +43,11 @@ fn minima(options: &args::Minima) -> Result<String, Failure> {
         svg_map::save(path, &Map { surface, levels, lines: &traced.lines, extrema: &extrema })?;
     }
     let report = Report::new(options, surface, &extrema, seconds);
-    Ok(if options.json { report.json() } else { report.text() })
+    if options.json {
+        return Ok(report.json());
+    }
+    output::tell(&format!("found in {:.3} ms on {}", 1e3 * seconds, options.mesh.backend));
+    Ok(report.text())
 }
 
 struct Work<'a> {

@@ -59,7 +59,7 @@ impl<'a> Report<'a> {
 
     /// A vertex a line, kind after kind.
     pub(super) fn text(&self) -> String {
-        let Self { file, triangles, up, field, backend, .. } = self;
+        let Self { file, triangles, up, field, .. } = self;
         let mut text = format!("{}: {field} of {triangles} triangles, up is {up}\n", one_line(file));
         let kinds = [
             ("stalactites", self.stalactites),
@@ -75,7 +75,6 @@ impl<'a> Report<'a> {
                 let _ = writeln!(text, "{vertex:>10}  {field} {value:<14} at {x} {y} {z}{times}");
             }
         }
-        let _ = writeln!(text, "found in {:.3} ms on {backend}", 1e3 * self.seconds);
         text
     }
 }

@@ -5,8 +5,8 @@ mod report;
 use crate::args::Seed;
 use crate::failure::Failure;
 use crate::output::{self, Status};
-use crate::surface::Surface;
-use crate::{args, made, on_backend};
+use crate::surface::{self, Surface};
+use crate::{args, on_backend};
 use onering::region::{Region, StalactiteOptions, stalactite};
 use onering::{Handle, Incidence, Map, NotFinite, critical, vector};
 use onering_io::{Triangles, save};
@@ -24,7 +24,7 @@ pub(crate) fn run(options: &args::Region) -> io::Result<Status> {
 
 /// What is to be printed. A file is written before: nothing is said of one that could not be.
 fn region(options: &args::Region) -> Result<String, Failure> {
-    let surface = &Surface::read(&options.mesh, made::roof::mesh, options.up, options.unit.as_deref())?;
+    let surface = &Surface::read(&options.mesh, surface::ROOF, options.up, options.unit.as_deref())?;
     let seed = options.at.map(|at| seed(surface, at)).transpose()?;
     let work = Work { surface, seed, options: StalactiteOptions { steep: options.steep } };
     let found = on_backend::run(&options.mesh.backend, &surface.mesh, work)??;
@@ -32,7 +32,11 @@ fn region(options: &args::Region) -> Result<String, Failure> {
         save(path, &found.part).map_err(|error| Failure::Output(error.to_string()))?;
     }
     let report = Report::new(&options.mesh.backend, surface, &found);
-    Ok(if options.json { report.json() } else { report.text() })
+    if options.json {
+        return Ok(report.json());
+    }
+    output::tell(&format!("found in {:.3} ms on {}", 1e3 * found.seconds, options.mesh.backend));
+    Ok(report.text())
 }
 
 /// The vertex that is meant.

@@ -63,13 +63,10 @@ impl<'a> Report<'a> {
              area       {area}{unit}{square}\n  \
              size       {width} x {depth} x {height}{unit}\n  \
              bbox_min   {}\n  \
-             bbox_max   {}\n\
-             found in {:.3} ms on {}\n",
+             bbox_max   {}\n",
             one_line(self.file),
             point(bbox_min),
             point(bbox_max),
-            1e3 * self.seconds,
-            self.backend,
         )
     }
 }

@@ -3,6 +3,7 @@
 //! Colours are viridis. What is light on paper is dark on a screen that is set so, and the colours change with it, so that both
 //! ends of the scale stand out from the ground: see [`style`].
 
+mod labels;
 mod legend;
 mod number;
 mod page;
@@ -34,7 +35,6 @@ pub(crate) struct Map<'a> {
 pub(crate) fn save(path: &Path, map: &Map<'_>) -> Result<(), Failure> {
     let failed = |error| Failure::Output(format!("{}: {error}", path.display()));
     let mut file = Replacement::create(path).map_err(failed)?;
-    // A screenful at a time would not do: the crate makes one string of it all.
     writeln!(file, "{}", draw(map)).and_then(|()| file.finish()).map_err(failed)
 }
 
@@ -53,6 +53,7 @@ fn draw(map: &Map<'_>) -> SVG {
         .add(page.ground())
         .add(page.heading(map))
         .add(contours(map, &page, &colours))
+        .add(labels::on_map(map, &page))
         .add(symbols::on_map(map.extrema, map.surface, &page))
         .add(page.frame())
         .add(legend::heights(map, &page))
@@ -63,8 +64,10 @@ fn draw(map: &Map<'_>) -> SVG {
 /// A path for each level, the lowest first: where a surface lies over itself, what is higher is drawn over what is
 /// lower.
 fn contours(map: &Map<'_>, page: &Page, colours: &Colours) -> Group {
-    let mut group =
-        page.map_group().set("fill", "none").set("stroke-linejoin", "round").set("stroke-width", 9);
+    // Many lines are fine ones.
+    let width = if map.levels.all.len() > 60 { 7 } else { 10 };
+    let group = page.map_group().set("fill", "none").set("stroke-linejoin", "round");
+    let mut group = group.set("stroke-width", width);
     let mut lines = map.lines.iter().peekable();
     for (i, level) in map.levels.all.iter().enumerate() {
         let mut data = path::Data::default();
@@ -73,7 +76,7 @@ fn contours(map: &Map<'_>, page: &Page, colours: &Colours) -> Group {
         }
         if let Some(path) = data.path() {
             let path = path.set("class", style::class(i)).set("stroke", colours.light(i));
-            let path = if level.is_index { path.set("stroke-width", 19) } else { path };
+            let path = if level.is_index { path.set("stroke-width", 2 * width) } else { path };
             let label = format!("{}{}", level.height, map.surface.with_unit(""));
             group = group.add(path.add(Title::new(label)));
         }

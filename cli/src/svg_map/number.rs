@@ -13,6 +13,16 @@ pub(super) fn text(value: f64, step: f64) -> String {
     format!("{value:.decimals$}")
 }
 
+/// As it is where that is short, else with three digits or so.
+pub(super) fn short(value: f32) -> String {
+    let exact = value.to_string();
+    if exact.len() <= 6 {
+        exact
+    } else {
+        text(value.into(), crate::level::round_up(f64::from(value).abs() / 200.0))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -21,6 +31,10 @@ mod tests {
     fn decimals_are_those_of_the_step() {
         let texts = [(0.30000001, 0.1), (-1e-9, 0.5), (250.0, 50.0), (1e9, 1e9), (2e-7, 1e-7), (-0.25, 0.05)];
         let texts = texts.map(|(value, step)| text(value, step));
+        assert_eq!(
+            [0.05, 2.5, 4.784_926_4, 1234.567, -0.123_456_7].map(short),
+            ["0.05", "2.5", "4.78", "1235", "-0.123"]
+        );
         assert_eq!(texts, ["0.3", "0.0", "250", "1.00e9", "2.00e-7", "-0.25"]);
     }
 }

@@ -139,7 +139,7 @@ fn about(map: &Map<'_>) -> String {
     let (field, unit) = (map.surface.field_name(), map.surface.with_unit(""));
     let every = match map.levels.step {
         _ if map.levels.all.is_empty() => return format!("no contours of {field}"),
-        Some(step) => format!("Contours of {field} every {step}{unit}"),
+        Some(step) => format!("Contours of {field} every {}{unit}", number::short(step)),
         None => format!("Contours of {field} at {} levels", map.levels.all.len()),
     };
     let has_index = map.levels.all.iter().any(|level| level.is_index);

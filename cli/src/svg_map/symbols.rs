@@ -10,8 +10,8 @@ use svg::node::element::{Group, Path};
 pub(super) struct Symbol {
     pub(super) names: [&'static str; 2],
     of: fn(&Extrema) -> &[Extremum],
-    /// Around its place, in tenths of a pixel; a dot where there is none.
-    shape: Option<&'static str>,
+    /// Around its place, of this size; a dot where there is none.
+    shape: Option<fn(i32) -> String>,
     class: &'static str,
     stroke: &'static str,
 }
@@ -22,14 +22,14 @@ impl Symbol {
         Self {
             names: ["saddle", "saddles"],
             of: |extrema| &extrema.saddles,
-            shape: Some("m-26-26l52 52m0-52l-52 52"),
+            shape: Some(|r| format!("m-{r}-{r}l{d} {d}m0-{d}l-{d} {d}", d = 2 * r)),
             class: "rule",
             stroke: style::INK,
         },
         Self {
             names: ["maximum", "maxima"],
             of: |extrema| &extrema.maxima,
-            shape: Some("m0-36l34 58h-68z"),
+            shape: Some(|r| format!("m0-{}l{r} {}h-{}z", r * 6 / 5, 2 * r - r / 4, 2 * r)),
             class: "rule",
             stroke: style::INK,
         },
@@ -50,27 +50,28 @@ impl Symbol {
         self.names[usize::from(count != 1)]
     }
 
-    /// The symbol at these places, in tenths of a pixel, smaller where `count` are on the map; below it a broader one
+    /// The symbol at these places, in tenths of a pixel, smaller where there are many on the map; below it a broader one
     /// in the colour of the ground, which divides it from the lines.
     pub(super) fn draw(&self, places: &[[i32; 2]], count: usize) -> Group {
+        // Half the size, the width of lines and that of the ground around them.
+        let (size, width, gap) = match count {
+            0..=250 => (30, 14, 13),
+            251..=1000 => (20, 10, 8),
+            _ => (12, 7, 4),
+        };
         let mut data = path::Data::default();
         for &place in places {
             match self.shape {
-                Some(shape) => data.shape(place, shape),
+                Some(shape) => data.shape(place, &shape(size)),
                 None => data.dot(place),
             }
         }
-        let width = match (self.shape, count) {
-            (Some(_), _) => 14,
-            (None, 0..=200) => 66,
-            (None, 201..=2000) => 42,
-            (None, _) => 26,
-        };
         let Some(path) = data.path() else { return Group::new() };
+        let width = if self.shape.is_some() { width } else { 2 * size };
         let path = path.set("fill", "none").set("stroke-linecap", "round").set("stroke-linejoin", "round");
         let halo = path.clone().set("class", "halo").set("stroke", style::GROUND);
         Group::new()
-            .add(halo.set("stroke-width", width + 26))
+            .add(halo.set("stroke-width", width + 2 * gap))
             .add(self.coloured(path).set("stroke-width", width))
     }
 
@@ -81,10 +82,11 @@ impl Symbol {
 
 /// All that was found.
 pub(super) fn on_map(extrema: &Extrema, surface: &Surface, page: &Page) -> Group {
+    let count = Symbol::ALL.iter().map(|symbol| symbol.of(extrema).len()).sum();
     Symbol::ALL.iter().fold(page.map_group(), |group, symbol| {
         let found = symbol.of(extrema);
         let place = |extremum: &Extremum| page.place(surface.up.turned(extremum.position));
         let places: Vec<_> = found.iter().map(place).collect();
-        group.add(symbol.draw(&places, found.len()))
+        group.add(symbol.draw(&places, count))
     })
 }
