@@ -1,7 +1,6 @@
 //! Which heights contours are drawn at.
 
 use crate::args;
-use onering::contours;
 
 /// Levels between two that are drawn thicker.
 const INDEX: usize = 5;
@@ -23,7 +22,7 @@ pub(crate) struct Level {
 pub(crate) struct Levels {
     /// Ascending, each once.
     pub(crate) all: Vec<Level>,
-    pub(crate) step: Option<f32>,
+    pub(crate) step: Option<f64>,
 }
 
 impl Levels {
@@ -37,7 +36,7 @@ impl Levels {
             (None, ..) => Ok(Self::default()),
             (Some(range), Some(count), _) => Ok(Self::parts(count, range)),
             (Some([least, most]), None, Some(step)) => {
-                if (f64::from(most) - f64::from(least)) / f64::from(step) > MOST {
+                if (f64::from(most) - f64::from(least)) / step > MOST {
                     return Err(format!(
                         "--step {step} makes more than {MOST} levels from {least} to {most}"
                     ));
@@ -50,15 +49,23 @@ impl Levels {
 
     /// The multiples of a round step.
     pub(crate) fn usual([least, most]: [f32; 2]) -> Self {
-        let step = round_up((f64::from(most) - f64::from(least)) / USUAL) as f32;
+        let step = round_up((f64::from(most) - f64::from(least)) / USUAL);
         if step > 0.0 { Self::every(step, [least, most]) } else { Self::default() }
     }
 
-    /// The multiples of `step`; each fifth multiple is an index.
-    fn every(step: f32, [least, most]: [f32; 2]) -> Self {
-        let is_index = |height: f32| (f64::from(height) / f64::from(step)).round() % INDEX as f64 == 0.0;
-        let level = |height| Level { height, is_index: is_index(height) };
-        let all = contours::levels(step, least, most).into_iter().map(level).collect();
+    /// The multiples of `step`; each fifth multiple is an index. As `onering::contours::levels`, but with a step in 64
+    /// bits: 20 times 0.05 is 1 then, and 3 times 0.1 the `f32` nearest to 0.3.
+    fn every(step: f64, [least, most]: [f32; 2]) -> Self {
+        let [first, last] = [(f64::from(least) / step).ceil(), (f64::from(most) / step).floor()];
+        // Beyond 2^53 one more is the same number again.
+        let multiples =
+            (0..=MOST as u32).map(|i| first + f64::from(i)).take_while(|multiple| *multiple <= last);
+        let level = |multiple: f64| Level {
+            height: (multiple * step) as f32,
+            is_index: multiple % INDEX as f64 == 0.0,
+        };
+        let mut all: Vec<Level> = multiples.map(level).collect();
+        all.dedup_by_key(|level| level.height);
         Self { all, step: Some(step) }
     }
 
@@ -73,7 +80,7 @@ impl Levels {
             })
             .collect();
         all.dedup_by_key(|level| level.height);
-        Self { all, step: Some(part as f32) }
+        Self { all, step: Some(part) }
     }
 
     fn at(mut heights: Vec<f32>) -> Self {
@@ -130,6 +137,9 @@ mod tests {
         let levels = Levels::every(2.0, [-11.0, 21.0]);
         let index = |level: &&Level| level.is_index;
         assert!(levels.all.iter().filter(index).map(|level| level.height).eq([-10.0, 0.0, 10.0, 20.0]));
+        assert_eq!(Levels::every(0.05, [0.0, 1.0]).heights()[18..], [0.9, 0.95, 1.0]);
+        assert_eq!(Levels::every(0.02, [-0.401, -0.38]).heights(), [-0.4, -0.38]);
+        assert_eq!(Levels::every(1e-9, [1e30, 1e30]).heights(), [1e30]);
         assert_eq!(Levels::usual([5.0, 5.0]), Levels::default());
     }
 

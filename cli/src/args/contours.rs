@@ -23,10 +23,10 @@ pub(crate) struct Contours {
     pub(crate) levels: Option<u32>,
     /// The multiples of this height
     #[arg(long, value_name = "HEIGHT", group = "which levels", value_parser = step)]
-    pub(crate) step: Option<f32>,
-    /// These levels
-    #[arg(long, value_name = "HEIGHT", group = "which levels", num_args = 1.., value_delimiter = ',',
-          allow_negative_numbers = true, value_parser = level)]
+    pub(crate) step: Option<f64>,
+    /// These levels, with commas between them
+    #[arg(long, value_name = "HEIGHT", group = "which levels", value_delimiter = ',',
+          allow_hyphen_values = true, value_parser = level)]
     pub(crate) at: Vec<f32>,
     /// Find the local minima as well, for the map
     #[arg(long)]
@@ -46,6 +46,6 @@ fn level(word: &str) -> Result<f32, &'static str> {
     word.parse().ok().filter(|value: &f32| value.is_finite()).ok_or("not a height")
 }
 
-fn step(word: &str) -> Result<f32, &'static str> {
-    level(word).ok().filter(|step| *step > 0.0).ok_or("not a height above 0")
+fn step(word: &str) -> Result<f64, &'static str> {
+    word.parse().ok().filter(|step: &f64| *step > 0.0 && step.is_finite()).ok_or("not a height above 0")
 }

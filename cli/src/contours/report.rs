@@ -20,7 +20,7 @@ pub(crate) struct Report<'a> {
     unit: &'a str,
     /// The least and the largest value; `null` without faces.
     range: Option<[f32; 2]>,
-    step: Option<f32>,
+    step: Option<f64>,
     levels: Vec<Row>,
     closed: usize,
     open: usize,

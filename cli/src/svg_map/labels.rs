@@ -89,7 +89,7 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
 /// The height over a broader one in the colour of the ground, which interrupts the line.
 fn label(spot: &Spot) -> Group {
     let Spot { place: [x, y], degrees, height } = spot;
-    let words = number::short(*height);
+    let words = number::short((*height).into());
     let turn = format!("translate({x:.0} {y:.0}) rotate({degrees:.0})");
     let halo = text(words.clone(), [0.0, 33.0]).set("class", "halo").set("fill", "none");
     let halo = halo.set("stroke", style::GROUND).set("stroke-width", 40).set("stroke-linejoin", "round");

@@ -1,6 +1,6 @@
 //! Numbers as people write them.
 
-use crate::level::decimals;
+use crate::level::{decimals, round_up};
 
 /// With as many decimals as a step of this size needs.
 pub(super) fn text(value: f64, step: f64) -> String {
@@ -13,14 +13,13 @@ pub(super) fn text(value: f64, step: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// As it is where that is short, else with three digits or so.
-pub(super) fn short(value: f32) -> String {
-    let exact = value.to_string();
-    if exact.len() <= 6 {
-        exact
-    } else {
-        text(value.into(), crate::level::round_up(f64::from(value).abs() / 200.0))
+/// With three digits or a little more, and no zeros at the end.
+pub(super) fn short(value: f64) -> String {
+    let text = text(value, round_up(value.abs() / 200.0));
+    if text.contains('.') && !text.contains('e') {
+        return text.trim_end_matches('0').trim_end_matches('.').into();
     }
+    text
 }
 
 #[cfg(test)]

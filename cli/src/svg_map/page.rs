@@ -7,8 +7,6 @@ use svg::node::element::{Group, Path, Rectangle, Text};
 
 /// The longer side of the map.
 const MAP: f64 = 720.0;
-/// Between the lines and the frame.
-const PADDING: f64 = 10.0;
 const MARGIN: f64 = 24.0;
 const HEAD: f64 = 66.0;
 const FOOT: f64 = 62.0;
@@ -68,8 +66,7 @@ impl Page {
 
     /// What is drawn in tenths of a pixel, at the place of the map.
     pub(super) fn map_group(&self) -> Group {
-        let [x, y] = [MARGIN + PADDING, HEAD + PADDING];
-        Group::new().set("transform", format!("translate({x} {y}) scale({})", 1.0 / TENTHS))
+        Group::new().set("transform", format!("translate({MARGIN} {HEAD}) scale({})", 1.0 / TENTHS))
     }
 
     /// The paper.
@@ -102,7 +99,7 @@ impl Page {
         if length == 0.0 {
             return Group::new().add(axes);
         }
-        let (x, pixels) = (MARGIN + PADDING, length * self.scale);
+        let (x, pixels) = (MARGIN, length * self.scale);
         let bar = Path::new()
             .set("d", format!("M{x:.1} {y:.1}v8h{pixels:.1}v-8M{:.1} {:.1}v4", x + pixels / 2.0, y + 4.0))
             .set("class", "rule")
@@ -114,7 +111,7 @@ impl Page {
     }
 
     fn map_size(&self) -> [f64; 2] {
-        self.extent.map(|extent| extent * self.scale + 2.0 * PADDING)
+        self.extent.map(|extent| extent * self.scale)
     }
 
     fn map_rectangle(&self) -> Rectangle {
