@@ -76,7 +76,7 @@ impl Levels {
         let mut all: Vec<Level> = (1..=count)
             .map(|i| Level {
                 height: (least + f64::from(i) * part) as f32,
-                is_index: i as usize % INDEX == 0,
+                is_index: (i as usize).is_multiple_of(INDEX),
             })
             .collect();
         all.dedup_by_key(|level| level.height);

@@ -1,5 +1,5 @@
 //! onering at the shell: `inspect` tells what is in a mesh file, `convert` makes another one of it, `compare` measures
-//! the data structures on it.
+//! the data structures on it, `contours`, `minima` and `region` look for what its heights have.
 //! Thin over the library: what it prints, the crates `onering` and `onering-io` can be asked for.
 
 mod args;

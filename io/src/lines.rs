@@ -149,7 +149,10 @@ impl Line<'_> {
     }
 }
 
-fn writer(format: Format) -> Result<fn(&Lines, &mut dyn Write) -> std::io::Result<()>, Error> {
+/// How lines are written in a format.
+type Writer = fn(&Lines, &mut dyn Write) -> std::io::Result<()>;
+
+fn writer(format: Format) -> Result<Writer, Error> {
     match format {
         Format::Obj => Ok(obj::write_lines),
         Format::Ply => Ok(ply::write_lines),

@@ -1,6 +1,6 @@
 //! What is said of contours.
 
-use super::Traced;
+use super::trace::{Figures, Traced};
 use crate::level::Levels;
 use crate::minima::{Extrema, Extremum};
 use crate::surface::Surface;
@@ -46,8 +46,8 @@ impl<'a> Report<'a> {
         traced: &Traced,
         extrema: &'a Extrema,
     ) -> Self {
-        let row = |(level, figures): (f32, &super::trace::Figures)| {
-            let &super::trace::Figures { closed, open, length } = figures;
+        let row = |(level, figures): (f32, &Figures)| {
+            let &Figures { closed, open, length } = figures;
             Row { level, closed, open, length }
         };
         Self {
