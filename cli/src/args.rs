@@ -1,18 +1,26 @@
 //! What can be said on the command line.
 
 mod compare;
+mod contours;
 mod convert;
 mod formats;
 pub(crate) use formats::{is_written, written};
+mod heights;
 mod inspect;
 mod mesh_file;
 mod query;
+mod minima;
+mod region;
 
 pub(crate) use compare::Compare;
+pub(crate) use contours::Contours;
 pub(crate) use convert::Convert;
+pub(crate) use heights::Heights;
 pub(crate) use inspect::Inspect;
 pub(crate) use mesh_file::MeshFile;
 pub(crate) use query::{GRAPH, Query};
+pub(crate) use minima::Minima;
+pub(crate) use region::{Region, Seed};
 
 use crate::output::{self, Status};
 use clap::{CommandFactory, Parser, Subcommand};
@@ -45,6 +53,9 @@ pub(crate) enum Command {
     Convert(Convert),
     Compare(Compare),
     Query(Query),
+    Contours(Contours),
+    Minima(Minima),
+    Region(Region),
     Completions(Completions),
     Man(Man),
 }
@@ -84,6 +95,7 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Convert(convert) => convert.check(),
         Command::Compare(compare) => compare.check(),
         Command::Query(query) => query.check(),
+        Command::Contours(_) | Command::Minima(_) | Command::Region(_) => {}
         Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))

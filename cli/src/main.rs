@@ -1,9 +1,11 @@
 //! onering at the shell: `inspect` tells what is in a mesh file, `convert` makes another one of it, `compare` measures
 //! the data structures on it, `query` asks one what is around an element.
+//! the data structures on it, `contours`, `minima` and `region` look for what its heights have.
 //! Thin over the library: what it prints, the crates `onering` and `onering-io` can be asked for.
 
 mod args;
 mod compare;
+mod contours;
 mod convert;
 mod default_mesh;
 mod failure;
@@ -11,7 +13,9 @@ mod heap;
 mod input;
 mod inspect;
 mod machine;
+mod level;
 mod made;
+mod minima;
 mod on_backend;
 mod output;
 mod progress;
@@ -20,6 +24,11 @@ mod random;
 mod shell;
 mod tables;
 mod timing;
+mod region;
+mod shell;
+mod surface;
+mod svg_map;
+mod up;
 
 use args::Command;
 use output::Status;
@@ -37,6 +46,9 @@ fn main() -> ExitCode {
         Some(Command::Convert(options)) => convert::run(&options),
         Some(Command::Compare(options)) => compare::run(&options),
         Some(Command::Query(options)) => query::run(&options),
+        Some(Command::Contours(options)) => contours::run(&options),
+        Some(Command::Minima(options)) => minima::run(&options),
+        Some(Command::Region(options)) => region::run(&options),
         Some(Command::Completions(options)) => shell::completions(&options),
         Some(Command::Man(options)) => shell::man(&options),
     }))

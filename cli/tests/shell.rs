@@ -7,7 +7,8 @@ use onering_io::Format;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 5] = ["inspect", "convert", "compare", "completions", "man"];
+const COMMANDS: [&str; 8] =
+    ["inspect", "convert", "compare", "contours", "minima", "region", "completions", "man"];
 
 /// Every `--option` that the help of a command speaks of at the start of a line.
 fn options(command: &str) -> BTreeSet<String> {

@@ -66,7 +66,19 @@ fn on_scale(value: f64, least: f64, range: f64) -> Rgb {
         _ if value == f64::INFINITY => 1.0,
         _ => 0.0,
     };
-    let place = share.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
+    viridis(share)
+}
+
+/// The colour of the scale viridis (Smith and van der Walt, 2015) at a share of its length, in sRGB: dark violet at 0,
+/// yellow at 1. Shares outside are as the nearer end, NaN as 0.
+///
+/// ```
+/// assert_eq!([-1.0, 0.5, 1.0].map(onering_io::viridis), [[68, 1, 84], [33, 144, 140], [253, 231, 37]]);
+/// assert_eq!(onering_io::viridis(f64::NAN), [68, 1, 84]);
+/// ```
+pub fn viridis(share: f64) -> [u8; 3] {
+    let share = if share > 0.0 { share.min(1.0) } else { 0.0 };
+    let place = share * (VIRIDIS.len() - 1) as f64;
     let below = place as usize;
     let [from, to] = [below, (below + 1).min(VIRIDIS.len() - 1)].map(|i| VIRIDIS[i].to_be_bytes());
     std::array::from_fn(|c| {

@@ -14,6 +14,7 @@
 #[cfg(feature = "parallel")]
 mod append;
 mod keyword;
+mod lines;
 mod numbering;
 #[cfg(feature = "parallel")]
 mod parallel;
@@ -22,6 +23,7 @@ mod writer;
 
 pub(crate) use self::keyword::begins_with_keyword;
 use self::keyword::{element, is_other};
+pub(crate) use self::lines::write as write_lines;
 use self::numbering::Numbering;
 pub(crate) use self::writer::write;
 use crate::error::quote;
