@@ -13,6 +13,7 @@ mod inspect;
 mod made;
 mod on_backend;
 mod output;
+mod picture;
 mod progress;
 mod shell;
 

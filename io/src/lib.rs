@@ -37,7 +37,7 @@
 mod attribute;
 mod beside;
 mod block;
-mod colour;
+pub mod colour;
 mod decimal;
 mod error;
 mod format;
