@@ -2,6 +2,7 @@
 
 mod compare;
 mod convert;
+mod deform;
 mod formats;
 pub(crate) use formats::{is_written, written};
 mod inspect;
@@ -9,6 +10,7 @@ mod mesh_file;
 
 pub(crate) use compare::Compare;
 pub(crate) use convert::Convert;
+pub(crate) use deform::{At, Deform, Fix};
 pub(crate) use inspect::Inspect;
 pub(crate) use mesh_file::MeshFile;
 
@@ -42,6 +44,7 @@ pub(crate) enum Command {
     Inspect(Inspect),
     Convert(Convert),
     Compare(Compare),
+    Deform(Deform),
     Completions(Completions),
     Man(Man),
 }
@@ -80,6 +83,7 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Inspect(inspect) => inspect.check(),
         Command::Convert(convert) => convert.check(),
         Command::Compare(compare) => compare.check(),
+        Command::Deform(deform) => deform.check(),
         Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))

@@ -1,11 +1,12 @@
 //! onering at the shell: `inspect` tells what is in a mesh file, `convert` makes another one of it, `compare` measures
-//! the data structures on it.
+//! the data structures on it, `deform` presses it.
 //! Thin over the library: what it prints, the crates `onering` and `onering-io` can be asked for.
 
 mod args;
 mod compare;
 mod convert;
 mod default_mesh;
+mod deform;
 mod failure;
 mod heap;
 mod input;
@@ -32,6 +33,7 @@ fn main() -> ExitCode {
         Some(Command::Inspect(options)) => inspect::run(&options),
         Some(Command::Convert(options)) => convert::run(&options),
         Some(Command::Compare(options)) => compare::run(&options),
+        Some(Command::Deform(options)) => deform::run(&options),
         Some(Command::Completions(options)) => shell::completions(&options),
         Some(Command::Man(options)) => shell::man(&options),
     }))

@@ -86,22 +86,23 @@ impl Grid {
     }
 }
 
-/// Where the organ has the point of the unit sphere: about 3 wide (x, the right lobe at negative x), 2 high (y), 1.6
+/// Where the organ has the point of the unit sphere: about 3 wide (x, the right lobe at negative x), 2 high (y), 1.5
 /// deep (z, to the front).
 fn organ([x, y, z]: Vector) -> Vector {
     // 0 at the tip of the left lobe, 1 in the right one.
-    let right = smooth((0.75 - x) / 1.35);
-    let thick = 0.30 + 0.70 * right;
+    let right = smooth((0.8 - x) / 1.5);
+    let thick = 0.28 + 0.72 * right;
     let bell = |centre: f64, width: f64| (-((x - centre) / width).powi(2)).exp();
-    // The dome is above; below, the front comes down to an edge and the back is drawn in.
-    let low = smooth(-y);
-    let notch = 0.24 * bell(0.22, 0.13) * low * smooth(0.5 + z);
-    let hollow = 0.42 * low * smooth(0.2 - z) * bell(-0.1, 0.8);
-    let swell = 0.05 * (3.1 * x + 0.4).sin() * (2.3 * y - 0.7).cos() * (2.7 * z).cos();
+    let low = smooth(-1.1 * y);
+    // The lower edge rises from the right lobe to the left one, with a notch between them.
+    let edge = low * (0.30 * x - 0.12) + 0.16 * bell(0.12, 0.11) * low;
+    // Below, the back is drawn in to the front.
+    let hollow = 0.30 * low * smooth(0.3 - z) * bell(-0.2, 0.8);
+    let swell = 0.03 * (3.1 * x + 0.4).sin() * (2.3 * y - 0.7).cos();
     [
-        1.55 * x + 0.10 * y * y,
-        0.98 * y * (0.35 + 0.65 * thick) + 0.30 * (1.0 - right) + notch + 0.10 * hollow + swell,
-        0.78 * z * thick * (1.0 - 0.35 * low) + hollow + 0.16 * (1.0 - x * x) + swell,
+        1.5 * x + 0.12 * y,
+        0.95 * y * (0.30 + 0.70 * thick) + 0.16 * (1.0 - right) + edge + swell,
+        0.80 * z * thick * (1.0 - 0.45 * low) + hollow - 0.22 * x * x + swell,
     ]
 }
 

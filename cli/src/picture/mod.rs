@@ -131,39 +131,3 @@ mod tests {
         }
     }
 }
-#[cfg(test)]
-mod look {
-    use super::*;
-    #[test]
-    fn look() {
-        let files = std::env::var("LOOK").unwrap_or_default();
-        for (i, f) in files.split_whitespace().enumerate() {
-            let m = if f == "organ" { crate::made::organ::mesh() } else { onering_io::load(f).unwrap() };
-            let t = std::time::Instant::now();
-            let shares: Vec<f32> = m
-                .positions
-                .iter()
-                .enumerate()
-                .map(|(i, _)| (i as f32 / m.positions.len() as f32).powi(4))
-                .collect();
-            let s = Surface { positions: &m.positions, faces: &m.faces, shares: None };
-            let s2 = Surface { shares: Some(&shares), ..s };
-            let v: Vec<f64> = std::env::var("VIEW")
-                .unwrap_or("0.5 0.4 1".into())
-                .split_whitespace()
-                .map(|x| x.parse().unwrap())
-                .collect();
-            let axes = Axes::looking_from([v[0], v[1], v[2]], [0.0, 1.0, 0.0]).unwrap();
-            let p = side_by_side(&[s, s2], &axes, 1200);
-            let out = format!("/tmp/wt/deform-target/look{i}.png");
-            let file = onering_io::Replacement::create(std::path::Path::new(&out)).unwrap();
-            write(&p, &out, file).unwrap();
-            eprintln!(
-                "{f} {} faces {:?} {} bytes",
-                m.faces.len(),
-                t.elapsed(),
-                std::fs::metadata(&out).unwrap().len()
-            );
-        }
-    }
-}
