@@ -128,7 +128,7 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
     let mut text = String::new();
     let left_out = left_out(mesh, options);
     if !left_out.is_empty() {
-        let limit = options.quadratic_up_to;
+        let limit = options.quadratic_up_to();
         let _ = writeln!(
             text,
             "left out above {limit} triangles (--quadratic-up-to): {}",
@@ -157,7 +157,7 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
 
 /// What was asked for and is quadratic, where the mesh is too large for that.
 fn left_out(mesh: &Mesh, options: &args::Compare) -> Vec<&'static str> {
-    if mesh.triangles <= options.quadratic_up_to {
+    if mesh.triangles <= options.quadratic_up_to() {
         return Vec::new();
     }
     // `auto` and at least one strategy.
@@ -167,7 +167,7 @@ fn left_out(mesh: &Mesh, options: &args::Compare) -> Vec<&'static str> {
 }
 
 /// A table whose first `left` columns are words, the others numbers.
-fn table(header: &[&str], left: usize) -> Table {
+pub(super) fn table(header: &[&str], left: usize) -> Table {
     let mut table = Table::new();
     table.load_style(RULES).set_header(header.to_vec());
     for column in table.column_iter_mut().skip(left) {
@@ -176,7 +176,7 @@ fn table(header: &[&str], left: usize) -> Table {
     table
 }
 
-fn scaled(timing: Option<Timing>, unit: f64) -> String {
+pub(super) fn scaled(timing: Option<Timing>, unit: f64) -> String {
     timing.map_or("-".into(), |timing| cell(timing.median_ns / unit, timing))
 }
 
@@ -198,7 +198,7 @@ fn digits(value: f64) -> String {
 }
 
 /// Lines of at most 110 characters.
-fn wrapped(text: &str) -> String {
+pub(super) fn wrapped(text: &str) -> String {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
         let last = lines.len() - 1;

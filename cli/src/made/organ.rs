@@ -91,18 +91,19 @@ impl Grid {
 fn organ([x, y, z]: Vector) -> Vector {
     // 0 at the tip of the left lobe, 1 in the right one.
     let right = smooth((0.8 - x) / 1.5);
-    let thick = 0.28 + 0.72 * right;
+    let thick = 0.34 + 0.66 * right;
     let bell = |centre: f64, width: f64| (-((x - centre) / width).powi(2)).exp();
-    let low = smooth(-1.1 * y);
+    // 0 at the top, 1 at the bottom.
+    let low = (0.5 - 0.5 * y).powi(2);
     // The lower edge rises from the right lobe to the left one, with a notch between them.
-    let edge = low * (0.30 * x - 0.12) + 0.16 * bell(0.12, 0.11) * low;
+    let edge = 0.62 * x * low + 0.17 * bell(0.16, 0.12) * low * low;
     // Below, the back is drawn in to the front.
-    let hollow = 0.30 * low * smooth(0.3 - z) * bell(-0.2, 0.8);
-    let swell = 0.03 * (3.1 * x + 0.4).sin() * (2.3 * y - 0.7).cos();
+    let hollow = 0.20 * low * smooth(0.3 - z) * bell(-0.2, 0.8);
+    let swell = 0.025 * (3.1 * x + 0.4).sin() * (2.3 * y - 0.7).cos();
     [
-        1.5 * x + 0.12 * y,
-        0.95 * y * (0.30 + 0.70 * thick) + 0.16 * (1.0 - right) + edge + swell,
-        0.80 * z * thick * (1.0 - 0.45 * low) + hollow - 0.22 * x * x + swell,
+        1.5 * x + 0.06 * y,
+        0.88 * y * (0.40 + 0.60 * thick) + 0.14 * (1.0 - right) + edge + swell,
+        0.72 * z * thick * (1.0 - 0.5 * low) + hollow - 0.22 * x * x + swell,
     ]
 }
 

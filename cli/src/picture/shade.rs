@@ -21,11 +21,11 @@ struct Lamp {
 
 /// The key light from the upper left, a weak one from the right against dark shadows.
 const LAMPS: [Lamp; 2] = [
-    Lamp { towards: [-0.48, 0.64, 0.60], strength: 0.78 },
+    Lamp { towards: [-0.48, 0.64, 0.60], strength: 0.75 },
     Lamp { towards: [0.82, 0.05, 0.57], strength: 0.20 },
 ];
 /// Light from all around, more of it from above.
-const AMBIENT: f64 = 0.17;
+const AMBIENT: f64 = 0.21;
 /// Halfway between the key light and the eye.
 const SHINE: Vector = [-0.268, 0.358, 0.894];
 const SHINE_STRENGTH: f64 = 0.10;
