@@ -31,10 +31,10 @@ pub(crate) struct Deform {
     #[arg(long, value_name = "WHICH", default_value = "farthest:75", help = FIX_HELP, long_help = FIX_HELP)]
     pub(crate) fix: Fix,
     /// Force over displacement of each spring
-    #[arg(long, value_name = "NUMBER", default_value_t = 1.0)]
+    #[arg(long, allow_negative_numbers = true, value_name = "NUMBER", default_value_t = 1.0)]
     pub(crate) stiffness: f64,
     /// Stop where the forces left over are this share of those applied
-    #[arg(long, value_name = "NUMBER", default_value_t = 1e-8)]
+    #[arg(long, allow_negative_numbers = true, value_name = "NUMBER", default_value_t = 1e-8)]
     pub(crate) tolerance: f64,
     /// Stop after so many iterations, which is an error where the mesh is not at rest by then
     #[arg(long, value_name = "NUMBER", default_value_t = 100_000)]
@@ -43,7 +43,13 @@ pub(crate) struct Deform {
     #[arg(long, value_name = "NUMBER", conflicts_with_all = ["tolerance", "max_iterations"])]
     pub(crate) steps: Option<usize>,
     /// Force of the medium over velocity, for --steps; each vertex has the mass 1
-    #[arg(long, value_name = "NUMBER", default_value_t = 0.1, requires = "steps")]
+    #[arg(
+        long,
+        allow_negative_numbers = true,
+        value_name = "NUMBER",
+        default_value_t = 0.1,
+        requires = "steps"
+    )]
     pub(crate) damping: f64,
     #[arg(long, short, value_name = "OUT", help = out_help())]
     pub(crate) output: Option<PathBuf>,
