@@ -7,7 +7,7 @@ use onering_io::Format;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 5] = ["inspect", "convert", "compare", "completions", "man"];
+const COMMANDS: [&str; 6] = ["inspect", "convert", "compare", "deform", "completions", "man"];
 
 /// Every `--option` that the help of a command speaks of at the start of a line.
 fn options(command: &str) -> BTreeSet<String> {
@@ -92,7 +92,7 @@ fn a_folder_that_cannot_be_made_is_said() {
 
 #[test]
 fn help_lists_every_format() {
-    for command in ["inspect", "convert", "compare"] {
+    for command in ["inspect", "convert", "compare", "deform"] {
         let help = onering([command, "--help"]).out;
         for extension in Format::all().flat_map(Format::extensions) {
             assert!(help.contains(&format!(".{extension}")), "{command}: {extension}");

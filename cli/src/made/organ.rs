@@ -93,6 +93,8 @@ fn organ([x, y, z]: Vector) -> Vector {
     let right = smooth((0.8 - x) / 1.5);
     let thick = 0.34 + 0.66 * right;
     let bell = |centre: f64, width: f64| (-((x - centre) / width).powi(2)).exp();
+    // Ends less pointed than those of an ellipsoid.
+    let blunt = (1.05 - x * x).powf(-0.22);
     // 0 at the top, 1 at the bottom.
     let low = (0.5 - 0.5 * y).powi(2);
     // The lower edge rises from the right lobe to the left one, with a notch between them.
@@ -101,9 +103,9 @@ fn organ([x, y, z]: Vector) -> Vector {
     let hollow = 0.20 * low * smooth(0.3 - z) * bell(-0.2, 0.8);
     let swell = 0.025 * (3.1 * x + 0.4).sin() * (2.3 * y - 0.7).cos();
     [
-        1.5 * x + 0.06 * y,
-        0.88 * y * (0.40 + 0.60 * thick) + 0.14 * (1.0 - right) + edge + swell,
-        0.72 * z * thick * (1.0 - 0.5 * low) + hollow - 0.22 * x * x + swell,
+        1.45 * x + 0.06 * y,
+        0.84 * y * blunt * (0.40 + 0.60 * thick) + 0.30 * (1.0 - right) + edge + swell,
+        0.70 * z * blunt * thick * (1.0 - 0.5 * low) + hollow - 0.22 * x * x + swell,
     ]
 }
 

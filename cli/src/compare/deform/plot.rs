@@ -8,6 +8,8 @@ use std::error::Error;
 
 /// Pixels.
 const SIZE: (u32, u32) = (900, 560);
+/// How far the scale goes on to the right of the last size, for the legend to stand there.
+const LEGEND: f64 = 8.0;
 const FONT: &str = "sans-serif";
 
 /// Black for the first; then those of Okabe and Ito (2008) that are dark enough for a line, and five between them.
@@ -45,7 +47,7 @@ fn draw(run: &Run, svg: &mut String) -> Result<(), Box<dyn Error>> {
         .margin(12)
         .x_label_area_size(45)
         .y_label_area_size(70)
-        .build_cartesian_2d(around(&sizes).log_scale(), around(&times).log_scale())?;
+        .build_cartesian_2d(around(&sizes, LEGEND).log_scale(), around(&times, 1.4).log_scale())?;
     chart
         .configure_mesh()
         .x_desc("vertices")
@@ -68,8 +70,8 @@ fn draw(run: &Run, svg: &mut String) -> Result<(), Box<dyn Error>> {
     }
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
-        .label_font((FONT, 12))
+        .position(SeriesLabelPosition::MiddleRight)
+        .label_font((FONT, 13))
         .background_style(WHITE.mix(0.85))
         .border_style(RGBColor(200, 200, 200))
         .draw()?;
@@ -94,13 +96,13 @@ fn points<'a>(
     known.map(move |(size, point)| (size, milliseconds(time(point))))
 }
 
-/// A range with some room at both ends.
-fn around(values: &[f64]) -> std::ops::Range<f64> {
+/// A range with some room below, and as many times the largest value above.
+fn around(values: &[f64], above: f64) -> std::ops::Range<f64> {
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let most = values.iter().copied().fold(0.0, f64::max);
     // Nothing was measured, or all of it in no time at all.
     if !(least > 0.0 && most > 0.0 && most.is_finite()) {
         return 1.0..10.0;
     }
-    least * 0.8..most * 1.4
+    least * 0.8..most * above
 }
