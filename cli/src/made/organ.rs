@@ -75,7 +75,8 @@ impl Grid {
     /// From the centre to the vertex, of length 1. Along edges of the octahedron the steps are equal angles.
     fn direction(self, ring: u32, step: u32) -> Vector {
         let height = self.height(ring);
-        let (side, along) = if height == 0 { (0, 0) } else { (step / height, step % height) };
+        // A pole is the first step of every side.
+        let (side, along) = (step / height.max(1), step % height.max(1));
         let [a, b, up] = [height - along, along, self.cuts - height]
             .map(|part| (f64::from(part) / f64::from(self.cuts) * FRAC_PI_2).sin());
         // Counter-clockwise, seen from above.

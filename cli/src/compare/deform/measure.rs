@@ -63,7 +63,7 @@ impl Compared {
         let largest = first.displacements.iter().map(|&d| vector::length(d)).fold(0.0, f64::max);
         let what = if self.sum != first.sum {
             "neighbours"
-        } else if !(difference <= SAME * largest) {
+        } else if difference > SAME * largest {
             "displacements"
         } else {
             return None;

@@ -16,6 +16,9 @@ pub(crate) const NOTES: &[&str] = &[
      the budget is 0. `-` was left out (--quadratic-up-to).",
 ];
 
+/// One of the two times of a deformation.
+type Time = fn(&Point) -> Timing;
+
 /// Everything.
 pub(crate) fn of(run: &Run) -> String {
     let mut text = format!("onering {} on {}\n", run.version, run.machine);
@@ -24,7 +27,7 @@ pub(crate) fn of(run: &Run) -> String {
         text,
         "an organ (made here), {HELD} % of the vertices held, force over {RINGS} rings, tolerance {TOLERANCE:e}\n"
     );
-    let times: [(&str, fn(&Point) -> Timing); 2] =
+    let times: [(&str, Time); 2] =
         [("Neighbours, ms", |point| point.neighbours), ("Total, ms", |point| point.total)];
     for (title, time) in times {
         let sizes: Vec<String> =
