@@ -3,23 +3,25 @@
 mod compare;
 mod contours;
 mod convert;
+mod deform;
 mod formats;
-pub(crate) use formats::{is_written, written};
 mod heights;
 mod inspect;
 mod mesh_file;
-mod query;
 mod minima;
+mod query;
 mod region;
 
 pub(crate) use compare::Compare;
 pub(crate) use contours::Contours;
 pub(crate) use convert::Convert;
+pub(crate) use deform::{At, Deform, Fix};
+pub(crate) use formats::{is_written, written};
 pub(crate) use heights::Heights;
 pub(crate) use inspect::Inspect;
 pub(crate) use mesh_file::MeshFile;
-pub(crate) use query::{GRAPH, Query};
 pub(crate) use minima::Minima;
+pub(crate) use query::{GRAPH, Query};
 pub(crate) use region::{Region, Seed};
 
 use crate::output::{self, Status};
@@ -53,9 +55,10 @@ pub(crate) enum Command {
     Convert(Convert),
     Compare(Compare),
     Query(Query),
-    Contours(Contours),
     Minima(Minima),
     Region(Region),
+    Contours(Contours),
+    Deform(Deform),
     Completions(Completions),
     Man(Man),
 }
@@ -96,6 +99,7 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Compare(compare) => compare.check(),
         Command::Query(query) => query.check(),
         Command::Contours(_) | Command::Minima(_) | Command::Region(_) => {}
+        Command::Deform(deform) => deform.check(),
         Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))

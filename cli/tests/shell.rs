@@ -7,8 +7,18 @@ use onering_io::Format;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 8] =
-    ["inspect", "convert", "compare", "contours", "minima", "region", "completions", "man"];
+const COMMANDS: [&str; 10] = [
+    "inspect",
+    "convert",
+    "compare",
+    "query",
+    "minima",
+    "region",
+    "contours",
+    "deform",
+    "completions",
+    "man",
+];
 
 /// Every `--option` that the help of a command speaks of at the start of a line.
 fn options(command: &str) -> BTreeSet<String> {
@@ -93,7 +103,7 @@ fn a_folder_that_cannot_be_made_is_said() {
 
 #[test]
 fn help_lists_every_format() {
-    for command in ["inspect", "convert", "compare"] {
+    for command in ["inspect", "convert", "compare", "deform"] {
         let help = onering([command, "--help"]).out;
         for extension in Format::all().flat_map(Format::extensions) {
             assert!(help.contains(&format!(".{extension}")), "{command}: {extension}");

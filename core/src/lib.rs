@@ -23,8 +23,6 @@
 //! - Algorithms that take positions: [`normals`], [`measure`], [`curvature`], [`smoothing`], [`distance`], [`nearest`],
 //!   [`spring`], [`subdivision`], [`holes`], [`reorder`].
 //! - Algorithms that take a scalar field: [`critical`], [`region`], [`contours`].
-//! - Algorithms: [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`], [`umbrella`], [`orientation`],
-//!   [`euler`], [`degrees`], [`relations`].
 //! - For the author of a structure: [`pairing`], [`fans`], [`ring`], [`corner`], [`memory`], and the laws in
 //!   `conformance` (a feature).
 #![no_std]

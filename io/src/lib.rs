@@ -37,7 +37,7 @@
 mod attribute;
 mod beside;
 mod block;
-mod colour;
+pub mod colour;
 mod decimal;
 mod error;
 mod format;
@@ -70,7 +70,6 @@ mod words;
 pub mod x3d;
 
 pub use attribute::{Attribute, Values};
-pub use colour::viridis;
 pub use error::{Error, Reason, one_line};
 pub use format::Format;
 pub use gzip::unpacked;

@@ -1,6 +1,7 @@
 //! `onering compare`: every backend on every mesh.
 
 mod case;
+mod deform;
 mod kernels;
 mod measure;
 mod record;
@@ -25,6 +26,9 @@ use std::path::Path;
 
 /// Measures, prints a report for each mesh as soon as it is done, and writes the JSON at the end.
 pub(crate) fn run(options: &args::Compare) -> io::Result<Status> {
+    if options.deform {
+        return deform::run(options);
+    }
     // A file that cannot be written is better known before the work than after it.
     let json = match options.json.as_deref().map(|path| (path, Replacement::create(path))) {
         Some((path, Err(error))) => {
@@ -59,7 +63,7 @@ impl<'a> Comparison<'a> {
         let settings = Settings {
             seed: options.seed,
             budget_ms: options.budget,
-            quadratic_up_to_triangles: options.quadratic_up_to,
+            quadratic_up_to_triangles: options.quadratic_up_to(),
             ring_starts: sample::STARTS,
             random_queries: sample::QUERIES,
         };

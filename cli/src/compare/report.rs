@@ -122,7 +122,7 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
     let mut text = String::new();
     let left_out = left_out(mesh, options);
     if !left_out.is_empty() {
-        let limit = options.quadratic_up_to;
+        let limit = options.quadratic_up_to();
         let _ = writeln!(
             text,
             "left out above {limit} triangles (--quadratic-up-to): {}",
@@ -151,7 +151,7 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
 
 /// What was asked for and is quadratic, where the mesh is too large for that.
 fn left_out(mesh: &Mesh, options: &args::Compare) -> Vec<&'static str> {
-    if mesh.triangles <= options.quadratic_up_to {
+    if mesh.triangles <= options.quadratic_up_to() {
         return Vec::new();
     }
     // `auto` and at least one strategy.

@@ -37,7 +37,7 @@ impl<'a> Rows<'a> {
         Self {
             case,
             clock: Clock { budget: Duration::from_millis(options.budget), gives_up: false },
-            limit: options.quadratic_up_to,
+            limit: options.quadratic_up_to(),
             rows: Vec::new(),
             first: states.into_iter().flat_map(answers).collect(),
             mismatches: Vec::new(),

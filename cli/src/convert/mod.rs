@@ -11,18 +11,18 @@ mod target;
 
 pub(crate) use attribute::Attribute;
 pub(crate) use change::Change;
+pub(crate) use holds::Holds;
 pub(crate) use reorder::Method;
+pub(crate) use target::Target;
 
 use crate::failure::Failure;
 use crate::output::{self, Status};
 use crate::progress::Progress;
 use crate::{args, input};
 use attribute::Computed;
-use holds::Holds;
 use onering_io::{Format, MeshRef, Options, Triangles};
 use std::io;
 use summary::Summary;
-use target::Target;
 
 /// Reading, changing, attributes, writing.
 const STEPS: usize = 4;

@@ -4,7 +4,7 @@
 //! the reader has chosen dark screens.
 
 use super::Map;
-use onering_io::viridis;
+use onering_io::colour::viridis;
 use std::fmt::Write;
 use svg::node::element::Style;
 
