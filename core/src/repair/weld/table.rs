@@ -1,6 +1,6 @@
 //! Welding by a hash table.
 
-use super::{Distinct, is_nowhere, key};
+use super::{MAX_VERTICES, is_nowhere, key};
 use crate::{BuildError, memory};
 use alloc::vec::Vec;
 
@@ -14,30 +14,76 @@ const NEAR: usize = 4;
 /// Steps along the table, beyond the first, that each vertex may cost on average. A good hash needs one or two.
 const STEPS: usize = 16;
 
-/// `None` where the positions were chosen so that this would take too long.
-pub(super) fn weld(
-    target: &mut [u32],
-    position: &impl Fn(usize) -> [f32; 3],
-) -> Result<Option<Distinct>, BuildError> {
-    let mut table = Table::new(target.len())?;
-    let mut block = Block::new();
-    for (number, targets) in target.chunks_mut(BLOCK).enumerate() {
-        let (start, count) = (number * BLOCK, targets.len());
-        block.fill(count, |i| position(start + i));
-        block.look_up(count, &table);
-        for (i, target) in targets.iter_mut().enumerate() {
-            let (hash, position) = (block.hashes[i], block.positions[i]);
-            *target = match block.known[i] {
-                UNKNOWN => match table.resolve(hash, start + i, position)? {
-                    Some(vertex) => vertex,
-                    None => return Ok(None),
-                },
-                vertex => vertex,
-            };
-            table.remember(hash, *target);
-        }
+/// Welds vertices as they come, such as those of a file that is read piece by piece: what [`weld_into`] does, for
+/// positions that are not kept. The table takes as much memory.
+///
+/// ```
+/// let mut welder = onering_core::repair::Welder::new(3)?;
+/// let mut target = [9; 3];
+/// for (piece, target) in [[0.0; 3], [1.0; 3], [-0.0; 3]].chunks(2).zip(target.chunks_mut(2)) {
+///     assert!(welder.add(target, |v| piece[v])?);
+/// }
+/// assert_eq!((target, welder.into_positions().len()), ([0, 1, 0], 2));
+/// # Ok::<(), onering_core::BuildError>(())
+/// ```
+///
+/// [`weld_into`]: super::weld_into
+#[derive(Debug)]
+pub struct Welder {
+    table: Table,
+    block: Block,
+}
+
+impl Welder {
+    /// For about so many vertices.
+    ///
+    /// # Errors
+    /// [`BuildError::OutOfMemory`].
+    pub fn new(vertices: usize) -> Result<Self, BuildError> {
+        Ok(Self { table: Table::new(vertices)?, block: Block::new() })
     }
-    Ok(Some(table.distinct))
+
+    /// Welds the next vertices: `v` of `target.len()` is at `position(v)`, and `target[v]` becomes its new number.
+    /// Constant time for each on average.
+    ///
+    /// `false` where the positions were chosen so that a hash table takes too long, or there are too many for one:
+    /// only [`weld_into`](super::weld_into), which can sort them, welds them then, from the first one on.
+    ///
+    /// # Errors
+    /// [`BuildError::OutOfMemory`], or [`BuildError::TooManyVertices`] for more than `u32::MAX` new numbers.
+    pub fn add(
+        &mut self,
+        target: &mut [u32],
+        position: impl Fn(usize) -> [f32; 3],
+    ) -> Result<bool, BuildError> {
+        let Self { table, block } = self;
+        let vertices = table.positions.len().saturating_add(target.len());
+        if vertices > MAX_VERTICES {
+            return Err(BuildError::TooManyVertices { vertices, limit: MAX_VERTICES });
+        }
+        for (number, targets) in target.chunks_mut(BLOCK).enumerate() {
+            let (start, count) = (number * BLOCK, targets.len());
+            block.fill(count, |i| position(start + i));
+            block.look_up(count, table);
+            for (i, target) in targets.iter_mut().enumerate() {
+                let (hash, position) = (block.hashes[i], block.positions[i]);
+                *target = match block.known[i] {
+                    UNKNOWN => match table.resolve(hash, position)? {
+                        Some(vertex) => vertex,
+                        None => return Ok(false),
+                    },
+                    vertex => vertex,
+                };
+                table.remember(hash, *target);
+            }
+        }
+        Ok(true)
+    }
+
+    /// The positions of the new vertices, each to the last bit that of the first old one there.
+    pub fn into_positions(self) -> Vec<[f32; 3]> {
+        self.table.positions
+    }
 }
 
 /// No vertex has this number: there are at most so many.
@@ -45,6 +91,7 @@ const UNKNOWN: u32 = u32::MAX;
 
 /// Vertices on their way through the table. Each step is a short loop of its own: the processor runs ahead in it, from
 /// one cache miss to the next ones.
+#[derive(Debug)]
 struct Block {
     positions: [[f32; 3]; BLOCK],
     hashes: [u32; BLOCK],
@@ -95,6 +142,7 @@ impl Block {
 }
 
 /// Open addressing. A slot is the hash of a vertex above its number plus one; 0 is empty.
+#[derive(Debug)]
 struct Table {
     slots: Vec<u64>,
     /// The home of a hash is its first bits: growing keeps the order, so it reads and writes in order as well.
@@ -105,7 +153,8 @@ struct Table {
     /// six corners are found here then, near the processor.
     recent: Vec<u64>,
     steps_left: usize,
-    distinct: Distinct,
+    /// Of the vertices so far.
+    positions: Vec<[f32; 3]>,
 }
 
 const RECENT: usize = 8192;
@@ -123,7 +172,7 @@ impl Table {
             used: 0,
             recent: memory::filled(RECENT, 0)?,
             steps_left: vertices.saturating_mul(STEPS),
-            distinct: Distinct::default(),
+            positions: Vec::new(),
         })
     }
 
@@ -150,21 +199,21 @@ impl Table {
         let vertex = if is_same { (slot as u32).wrapping_sub(1) } else { 0 };
         // All in one: most are equal, and branches between would be in the way.
         let equal = |[a, b, c]: &[f32; 3]| (*a == x) & (*b == y) & (*c == z);
-        let is_there = self.distinct.positions.get(vertex as usize).is_some_and(equal);
+        let is_there = self.positions.get(vertex as usize).is_some_and(equal);
         (is_same & is_there).then_some(vertex)
     }
 
     /// The vertex at this position, which may have become known since it was looked up. `None` where it took too many
     /// steps.
     #[inline(always)]
-    fn resolve(&mut self, hash: u32, v: usize, position: [f32; 3]) -> Result<Option<u32>, BuildError> {
+    fn resolve(&mut self, hash: u32, position: [f32; 3]) -> Result<Option<u32>, BuildError> {
         let recent = self.vertex_at(self.recent[hash as usize % RECENT], hash, position);
         if recent.is_some() {
             Ok(recent)
         } else if is_nowhere(position) {
-            self.distinct.push(v, position).map(Some)
+            self.push(position).map(Some)
         } else {
-            self.find_or_insert(hash, v, position)
+            self.find_or_insert(hash, position)
         }
     }
 
@@ -174,7 +223,7 @@ impl Table {
     }
 
     /// The vertex at this position, a new one if there is none. `None` where it took too many steps.
-    fn find_or_insert(&mut self, hash: u32, v: usize, position: [f32; 3]) -> Result<Option<u32>, BuildError> {
+    fn find_or_insert(&mut self, hash: u32, position: [f32; 3]) -> Result<Option<u32>, BuildError> {
         if self.used >= self.slots.len() / 8 * 5 && !self.grow()? {
             return Ok(None);
         }
@@ -189,10 +238,17 @@ impl Table {
             self.steps_left -= 1;
             at = (at + 1) & (self.slots.len() - 1);
         }
-        let vertex = self.distinct.push(v, position)?;
+        let vertex = self.push(position)?;
         self.slots[at] = slot_of(hash, vertex);
         self.used += 1;
         Ok(Some(vertex))
+    }
+
+    #[inline(always)]
+    fn push(&mut self, position: [f32; 3]) -> Result<u32, BuildError> {
+        let vertex = self.positions.len() as u32;
+        memory::push(&mut self.positions, position)?;
+        Ok(vertex)
     }
 
     /// Twice as many slots; `false` where that is too many.
@@ -238,11 +294,14 @@ mod tests {
     fn check(positions: &[[f32; 3]], by_table: bool) {
         let position = |v: usize| positions[v];
         let mut targets = [vec![0; positions.len()], vec![0; positions.len()]];
-        let table = super::weld(&mut targets[0], &position).unwrap();
+        let mut table = Welder::new(positions.len()).unwrap();
+        let pieces = positions.chunks(701).zip(targets[0].chunks_mut(701));
+        let welded =
+            pieces.map(|(piece, target)| table.add(target, |v| piece[v]).unwrap()).all(|welded| welded);
         let sorted = sorted::weld(&mut targets[1], &position).unwrap();
-        assert_eq!(table.is_some(), by_table);
+        assert_eq!(welded, by_table);
         if by_table {
-            assert_eq!((table, &targets[0]), (Some(sorted.clone()), &targets[1]));
+            assert_eq!((table.into_positions(), &targets[0]), (sorted.clone(), &targets[1]));
         }
         let firsts: Vec<usize> = positions
             .iter()
@@ -250,7 +309,8 @@ mod tests {
             .map(|(v, p)| positions[..v].iter().position(|other| other == p).unwrap_or(v))
             .collect();
         let source: Vec<u32> = (0..firsts.len()).filter(|v| firsts[*v] == *v).map(|v| v as u32).collect();
-        assert_eq!(sorted.source, source);
+        assert_eq!(sorted, source.iter().map(|v| positions[*v as usize]).collect::<Vec<_>>());
+        assert_eq!(weld(positions).unwrap().source, source);
         for (v, first) in firsts.iter().enumerate() {
             assert_eq!(source[targets[1][v] as usize], *first as u32);
         }
