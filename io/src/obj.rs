@@ -100,6 +100,8 @@ struct Reader {
     polygons: Polygons,
     /// One more than the highest corner of any face.
     corner_bound: u32,
+    /// The lowest corner of faces that were skipped, among those that are counted back.
+    lowest_skipped: u32,
     notes: Vec<Note>,
     /// Lines that are neither empty nor a comment.
     statements: usize,
@@ -113,6 +115,7 @@ impl Reader {
             positions: Vec::new(),
             polygons: Polygons::default(),
             corner_bound: 0,
+            lowest_skipped: u32::MAX,
             notes: Vec::new(),
             statements: 0,
         }
@@ -168,10 +171,13 @@ impl Reader {
     fn face(&mut self, scanner: &mut Scanner<'_>, line: Place) -> Result<(), Error> {
         let mut polygon = self.polygons.open();
         let mut bound = 0;
-        let mut beyond = None;
+        let (mut beyond, mut lowest) = (None, u32::MAX);
         while let Some(word) = scanner.word() {
             let corner = match self.corner(word, line)? {
-                Corner::Back(corner) => corner,
+                Corner::Back(corner) => {
+                    lowest = lowest.min(corner);
+                    corner
+                }
                 Corner::Absolute(corner) => {
                     bound = bound.max(corner.saturating_add(1));
                     corner
@@ -184,6 +190,7 @@ impl Reader {
             self.polygons.corner(&mut polygon, corner)?;
         }
         if polygon.size < 3 {
+            self.lowest_skipped = self.lowest_skipped.min(lowest);
             skip(&mut self.notes, Skipped::ShortFaces, 1, line);
             return Ok(());
         }

@@ -2,8 +2,9 @@
 
 mod sorted;
 mod table;
+mod welder;
 
-pub use self::table::Welder;
+pub use self::welder::Welder;
 
 use crate::{BuildError, memory};
 use alloc::vec::Vec;

@@ -107,6 +107,7 @@ impl Reader {
         self.positions.clear();
         self.polygons.clear();
         self.corner_bound = 0;
+        self.lowest_skipped = u32::MAX;
         self.notes.clear();
         self.statements = 0;
         self
@@ -120,8 +121,11 @@ impl Reader {
             before.push(u32::try_from(vertices).ok()?);
             vertices += part.positions.len();
         }
-        let pairs = parts.par_iter_mut().zip(before);
-        if !pairs.all(|(part, before)| settle(part.polygons.corners_mut(), before)) {
+        let all_exist = |part: &mut Self, before| {
+            settle(part.polygons.corners_mut(), before)
+                && settle(std::iter::once(&mut part.lowest_skipped), before)
+        };
+        if !parts.par_iter_mut().zip(before).all(|(part, before)| all_exist(part, before)) {
             return None;
         }
         let positions: Vec<_> = parts.iter().map(|part| part.positions.as_slice()).collect();
@@ -171,6 +175,8 @@ mod tests {
             "f 1 2 6",
             "f 1 2 3\n\u{FEFF}f 1 2 3\n",
             "f 1 2 -5\n",
+            "f -5 -5\n",
+            "f -1\nf -1 -2\n",
         ] {
             check(&format!("{corners}{text}"));
         }

@@ -111,3 +111,88 @@ pub(super) fn is_line_end(bytes: &[u8], at: usize) -> bool {
     let line = &bytes[..at];
     !is_joined(line.strip_suffix(b"\r").unwrap_or(line))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::read_in_order;
+    use super::*;
+    use crate::text::without_byte_order_mark;
+    use proptest::prelude::*;
+
+    /// Gives a few bytes at a time, and is interrupted each time before.
+    struct Trickle<'a>(&'a [u8], bool);
+
+    impl Read for Trickle<'_> {
+        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+            self.1 = !self.1;
+            if self.1 {
+                return Err(io::ErrorKind::Interrupted.into());
+            }
+            let few = buffer.len().min(3);
+            self.0.read(&mut buffer[..few])
+        }
+    }
+
+    /// In pieces of all small sizes, the text gives what it gives as a whole, or is left to whoever reads it as that.
+    fn check(text: &str) {
+        let expected = read_in_order(text.as_bytes()).ok();
+        let text = without_byte_order_mark(text.as_bytes());
+        for size in [1, 2, 7, 20, 64, 1000] {
+            assert_eq!(read_pieces(text, size), expected, "pieces of {size} in {text:?}");
+        }
+        assert_eq!(read_pieces(Trickle(text, false), 7), expected, "{text:?}");
+    }
+
+    #[test]
+    fn borders_lie_anywhere() {
+        let corners = "v 0 0 0\nv 1 0 0\r\nv 1 1 0\nv 0 1 0\n";
+        for text in [
+            "",
+            "f 1 2 3\nf -4 -3 -2 -1\nv 2 2 2\nf -1 -2 -5\nf 1 5 2\n",
+            "f 1 2 3\nl 1\nf 1 2\nwhat\nf 2 3 4 1\nl 2\nf 1\nhow\nf 1 2 3",
+            "f 1 \\\n2 3\n# \\ \r\n f 1 2 9\nf 1 2 4\n",
+            "f 1 2 3\\",
+            "f 1 2 6\nv 0 0 0\nv 0 0 0",
+            "f 1 2 6",
+            "f 1 2 3\n\u{FEFF}f 1 2 3\n",
+            "f 1 2 x\n",
+            "f 1 2\rf 1 2 3\r",
+        ] {
+            check(&format!("{corners}{text}"));
+            check(&format!("\u{FEFF}{corners}{text}"));
+        }
+        check("what\nhow\ng\n");
+    }
+
+    #[test]
+    fn a_piece_ends_with_a_line_that_is_not_joined() {
+        for (text, end) in [("a\nb\nc", 4), ("a\nb\\\nc", 2), ("a\nb\\ \r\nc", 2), ("a\rb", 0), ("\n", 1)] {
+            assert_eq!(end_of_lines(text.as_bytes()), end, "{text:?}");
+        }
+    }
+
+    /// What is in memory of a file without line feeds is bounded.
+    #[test]
+    fn long_lines_are_left_to_the_reader_of_the_whole() {
+        let endless = io::repeat(b' ');
+        assert_eq!(read_pieces(b"v 1 2 3\n".chain(endless), 1000), None);
+        let text = format!("v 1 2 3 {}\nv 0 0 0\n", " ".repeat(100_000));
+        assert_eq!(read_pieces(text.as_bytes(), 1000).map(|mesh| mesh.positions.len()), Some(2));
+    }
+
+    proptest! {
+        #[test]
+        fn pieces_give_what_the_whole_gives(
+            lines in prop::collection::vec("(v( -?[0-9.]{1,3}){3}|f( -?[1-9]){2,5}|[vflgx#]( [0-9]{1,2}){0,3})[ \\\\]{0,2}(\r|\n|\r\n)", 0..30)
+        ) {
+            check(&lines.concat());
+        }
+
+        #[test]
+        fn pieces_of_plain_files_give_what_the_whole_gives(
+            lines in prop::collection::vec("(v( [0-9]\\.[0-9]{1,3}){3}|f( [1-5]){3,5}|f( -[1-5]){3}|p 1)\r?\n", 0..40)
+        ) {
+            check(&("v 0 0 0\n".repeat(5) + &lines.concat()));
+        }
+    }
+}

@@ -1,149 +1,18 @@
 //! Welding by a hash table.
 
-use super::{MAX_VERTICES, is_nowhere, key};
+use super::is_nowhere;
 use crate::{BuildError, memory};
 use alloc::vec::Vec;
 
-/// Vertices that are looked up together: the table is asked for all of them first, so that their cache misses
-/// overlap.
-const BLOCK: usize = 256;
-
-/// Slots of the table that are looked at for each of them then: nearly all vertices are found there.
+/// Slots that are looked at for each vertex at first: nearly all are found there.
 const NEAR: usize = 4;
 
 /// Steps along the table, beyond the first, that each vertex may cost on average. A good hash needs one or two.
 const STEPS: usize = 16;
 
-/// Welds vertices as they come, such as those of a file that is read piece by piece: what [`weld_into`] does, for
-/// positions that are not kept. The table takes as much memory.
-///
-/// ```
-/// let mut welder = onering_core::repair::Welder::new(3)?;
-/// let mut target = [9; 3];
-/// for (piece, target) in [[0.0; 3], [1.0; 3], [-0.0; 3]].chunks(2).zip(target.chunks_mut(2)) {
-///     assert!(welder.add(target, |v| piece[v])?);
-/// }
-/// assert_eq!((target, welder.into_positions().len()), ([0, 1, 0], 2));
-/// # Ok::<(), onering_core::BuildError>(())
-/// ```
-///
-/// [`weld_into`]: super::weld_into
-#[derive(Debug)]
-pub struct Welder {
-    table: Table,
-    block: Block,
-}
-
-impl Welder {
-    /// For about so many vertices.
-    ///
-    /// # Errors
-    /// [`BuildError::OutOfMemory`].
-    pub fn new(vertices: usize) -> Result<Self, BuildError> {
-        Ok(Self { table: Table::new(vertices)?, block: Block::new() })
-    }
-
-    /// Welds the next vertices: `v` of `target.len()` is at `position(v)`, and `target[v]` becomes its new number.
-    /// Constant time for each on average.
-    ///
-    /// `false` where the positions were chosen so that a hash table takes too long, or there are too many for one:
-    /// only [`weld_into`](super::weld_into), which can sort them, welds them then, from the first one on.
-    ///
-    /// # Errors
-    /// [`BuildError::OutOfMemory`], or [`BuildError::TooManyVertices`] for more than `u32::MAX` new numbers.
-    pub fn add(
-        &mut self,
-        target: &mut [u32],
-        position: impl Fn(usize) -> [f32; 3],
-    ) -> Result<bool, BuildError> {
-        let Self { table, block } = self;
-        let vertices = table.positions.len().saturating_add(target.len());
-        if vertices > MAX_VERTICES {
-            return Err(BuildError::TooManyVertices { vertices, limit: MAX_VERTICES });
-        }
-        for (number, targets) in target.chunks_mut(BLOCK).enumerate() {
-            let (start, count) = (number * BLOCK, targets.len());
-            block.fill(count, |i| position(start + i));
-            block.look_up(count, table);
-            for (i, target) in targets.iter_mut().enumerate() {
-                let (hash, position) = (block.hashes[i], block.positions[i]);
-                *target = match block.known[i] {
-                    UNKNOWN => match table.resolve(hash, position)? {
-                        Some(vertex) => vertex,
-                        None => return Ok(false),
-                    },
-                    vertex => vertex,
-                };
-                table.remember(hash, *target);
-            }
-        }
-        Ok(true)
-    }
-
-    /// The positions of the new vertices, each to the last bit that of the first old one there.
-    pub fn into_positions(self) -> Vec<[f32; 3]> {
-        self.table.positions
-    }
-}
-
-/// No vertex has this number: there are at most so many.
-const UNKNOWN: u32 = u32::MAX;
-
-/// Vertices on their way through the table. Each step is a short loop of its own: the processor runs ahead in it, from
-/// one cache miss to the next ones.
-#[derive(Debug)]
-struct Block {
-    positions: [[f32; 3]; BLOCK],
-    hashes: [u32; BLOCK],
-    slots: [u64; BLOCK],
-    /// Which of them are not among the recent ones.
-    distant: [u16; BLOCK],
-    known: [u32; BLOCK],
-}
-
-impl Block {
-    fn new() -> Self {
-        Self {
-            positions: [[0.0; 3]; BLOCK],
-            hashes: [0; BLOCK],
-            slots: [0; BLOCK],
-            distant: [0; BLOCK],
-            known: [UNKNOWN; BLOCK],
-        }
-    }
-
-    #[inline(always)]
-    fn fill(&mut self, count: usize, position: impl Fn(usize) -> [f32; 3]) {
-        for (i, (place, hash)) in self.positions.iter_mut().zip(&mut self.hashes).take(count).enumerate() {
-            *place = position(i);
-            *hash = hash_of(key(*place));
-        }
-    }
-
-    /// The vertices that are known already.
-    #[inline(always)]
-    fn look_up(&mut self, count: usize, table: &Table) {
-        let mut distant = 0;
-        for (i, (slot, hash)) in self.slots.iter_mut().zip(&self.hashes).take(count).enumerate() {
-            *slot = table.recent[*hash as usize % RECENT];
-            self.distant[distant % BLOCK] = i as u16;
-            // A branch would be mispredicted too often.
-            distant += usize::from((*slot >> 32) as u32 != *hash);
-        }
-        for i in &self.distant[..distant] {
-            let i = usize::from(*i) % BLOCK;
-            self.slots[i] = table.near_home(self.hashes[i]);
-        }
-        for i in 0..count {
-            self.known[i] =
-                table.vertex_at(self.slots[i], self.hashes[i], self.positions[i]).unwrap_or(UNKNOWN);
-        }
-    }
-}
-
 /// Open addressing. A slot is the hash of a vertex above its number plus one; 0 is empty.
 #[derive(Debug)]
-struct Table {
+pub(super) struct Table {
     slots: Vec<u64>,
     /// The home of a hash is its first bits: growing keeps the order, so it reads and writes in order as well.
     bits: u32,
@@ -154,7 +23,7 @@ struct Table {
     recent: Vec<u64>,
     steps_left: usize,
     /// Of the vertices so far.
-    positions: Vec<[f32; 3]>,
+    pub(super) positions: Vec<[f32; 3]>,
 }
 
 const RECENT: usize = 8192;
@@ -163,7 +32,7 @@ const RECENT: usize = 8192;
 const MAX_BITS: u32 = 31;
 
 impl Table {
-    fn new(vertices: usize) -> Result<Self, BuildError> {
+    pub(super) fn new(vertices: usize) -> Result<Self, BuildError> {
         // A closed surface has one vertex for six corners.
         let bits = (vertices / 6).max(64).next_power_of_two().ilog2().min(MAX_BITS);
         Ok(Self {
@@ -176,6 +45,12 @@ impl Table {
         })
     }
 
+    /// The slot that was met last, of those whose hash ends alike.
+    #[inline(always)]
+    pub(super) fn recent(&self, hash: u32) -> u64 {
+        self.recent[hash as usize % RECENT]
+    }
+
     #[inline(always)]
     fn home(&self, hash: u32) -> usize {
         (hash >> (32 - self.bits)) as usize
@@ -184,7 +59,7 @@ impl Table {
     /// The slot of this hash among the first few from its home on, most often of one cache line; if there is none, one
     /// of another hash.
     #[inline(always)]
-    fn near_home(&self, hash: u32) -> u64 {
+    pub(super) fn near_home(&self, hash: u32) -> u64 {
         let home = self.home(hash);
         let slot = |i: usize| self.slots[(home + i) & (self.slots.len() - 1)];
         let better = |found: u64, slot: u64| if (found >> 32) as u32 == hash { found } else { slot };
@@ -193,7 +68,7 @@ impl Table {
 
     /// The vertex of a slot, if it is at this position.
     #[inline(always)]
-    fn vertex_at(&self, slot: u64, hash: u32, [x, y, z]: [f32; 3]) -> Option<u32> {
+    pub(super) fn vertex_at(&self, slot: u64, hash: u32, [x, y, z]: [f32; 3]) -> Option<u32> {
         let is_same = (slot >> 32) as u32 == hash;
         // The place of another vertex would only be a cache miss; that of the first one is at hand.
         let vertex = if is_same { (slot as u32).wrapping_sub(1) } else { 0 };
@@ -206,8 +81,8 @@ impl Table {
     /// The vertex at this position, which may have become known since it was looked up. `None` where it took too many
     /// steps.
     #[inline(always)]
-    fn resolve(&mut self, hash: u32, position: [f32; 3]) -> Result<Option<u32>, BuildError> {
-        let recent = self.vertex_at(self.recent[hash as usize % RECENT], hash, position);
+    pub(super) fn resolve(&mut self, hash: u32, position: [f32; 3]) -> Result<Option<u32>, BuildError> {
+        let recent = self.vertex_at(self.recent(hash), hash, position);
         if recent.is_some() {
             Ok(recent)
         } else if is_nowhere(position) {
@@ -218,7 +93,7 @@ impl Table {
     }
 
     #[inline(always)]
-    fn remember(&mut self, hash: u32, vertex: u32) {
+    pub(super) fn remember(&mut self, hash: u32, vertex: u32) {
         self.recent[hash as usize % RECENT] = slot_of(hash, vertex);
     }
 
@@ -277,7 +152,7 @@ fn slot_of(hash: u32, vertex: u32) -> u64 {
 
 /// Coordinates differ in few bits, often the higher ones: two multiplications bring them all to the first bits.
 #[inline(always)]
-fn hash_of([x, y, z]: [u32; 3]) -> u32 {
+pub(super) fn hash_of([x, y, z]: [u32; 3]) -> u32 {
     let xy = (u64::from(x) | u64::from(y) << 32).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let xyz = (xy ^ xy >> 32 ^ u64::from(z)).wrapping_mul(0xD6E8_FEB8_6659_FD93);
     (xyz >> 32) as u32
@@ -287,7 +162,7 @@ fn hash_of([x, y, z]: [u32; 3]) -> u32 {
 mod tests {
     use super::*;
     use crate::repair::weld;
-    use crate::repair::weld::sorted;
+    use crate::repair::weld::{Welder, key, sorted};
     use alloc::vec;
 
     /// Both ways, and the slow search.
