@@ -137,8 +137,7 @@ fn bytes_at_hand_are_read_as_the_file_would_be() {
 fn large_files_are_read_as_their_bytes_would_be() {
     let folder = Folder::new("large");
     let obj = "v 0.25 -1e3 2\nv 1 1 1\nv 0 0 0\nf -1 -2 -3\nl 1 2\n".repeat(60_000);
-    let mut stl = vec![b'v', b' '];
-    stl.resize(80, b'\n');
+    let mut stl = vec![0; 80];
     stl.extend(40_000u32.to_le_bytes());
     stl.extend(
         (0..40_000u32).flat_map(|i| (0..50).map(move |at| (i.wrapping_mul(77) >> (at % 5)) as u8 & 0x3F)),
@@ -155,6 +154,7 @@ fn large_files_are_read_as_their_bytes_would_be() {
         ("junk.obj", b"what is this\n".repeat(200_000)),
         ("short.stl", stl[..stl.len() - 1].to_vec()),
         ("long.stl", [&stl[..], b"more"].concat()),
+        ("like-obj.stl", [b"v \n", &stl[3..]].concat()),
         ("a.stl", stl),
     ] {
         let path = folder.file(name, &bytes);
