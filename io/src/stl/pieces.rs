@@ -82,9 +82,7 @@ mod tests {
             cut in 0usize..200,
         ) {
             let file = file(&Vec::from_iter(corners.iter().map(|corners| corners.map(|p| p.map(f32::from)))));
-            let mut options = Options::default();
-            options.weld_stl = weld;
-            let whole = super::super::read(&file, &options).unwrap();
+            let whole = super::super::read(&file, &Options { weld_stl: weld }).unwrap();
             prop_assert_eq!(read_pieces(&file[..], file.len() as u64, weld, size), Some(whole));
             // Of another length, or shorter than was thought.
             let cut = &file[..file.len().saturating_sub(cut + 1)];

@@ -170,9 +170,8 @@ mod tests {
         let position = |v: usize| positions[v];
         let mut targets = [vec![0; positions.len()], vec![0; positions.len()]];
         let mut table = Welder::new(positions.len()).unwrap();
-        let pieces = positions.chunks(701).zip(targets[0].chunks_mut(701));
-        let welded =
-            pieces.map(|(piece, target)| table.add(target, |v| piece[v]).unwrap()).all(|welded| welded);
+        let mut pieces = positions.chunks(701).zip(targets[0].chunks_mut(701));
+        let welded = pieces.all(|(piece, target)| table.add(target, |v| piece[v]).unwrap());
         let sorted = sorted::weld(&mut targets[1], &position).unwrap();
         assert_eq!(welded, by_table);
         if by_table {
