@@ -82,7 +82,7 @@ pub fn torus<M: Adjacency + FromFaces>() {
 }
 
 pub fn cylinder_and_cone<M: Adjacency + FromFaces>() {
-    let rim = |v: usize| v % 5 == 0 || v % 5 == 4;
+    let rim = |v: usize| v.is_multiple_of(5) || v % 5 == 4;
     let expected = |v| if rim(v) { [0.0, 0.0] } else { [0.0, 0.25] };
     let [_, mean] = errors::<M>(&solids::cylinder(48, 4, 2.0), expected);
     assert!(mean < 0.002, "{mean}");
