@@ -169,7 +169,7 @@ fn what_makes_no_sense_is_refused_by_name() {
     refused(&nowhere.join("mesh.obj"), &[], 2, "nowhere");
     refused(&file, &["-o", nowhere.join("out.ply").to_str().unwrap()], 1, "nowhere");
     refused(&file, &["--png", nowhere.join("out.png").to_str().unwrap()], 1, "nowhere");
-    refused(&file, &["--force", "0,0,1e300", "--fix", "0"], 1, "too large");
+    refused(&file, &["--force", "0,0,1e100", "--fix", "0"], 1, "too large");
     refused(&file, &["--max-iterations", "0", "--fix", "0"], 1, "--max-iterations");
 }
 

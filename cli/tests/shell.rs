@@ -103,7 +103,7 @@ fn a_folder_that_cannot_be_made_is_said() {
 
 #[test]
 fn help_lists_every_format() {
-    for command in ["inspect", "convert", "compare", "deform"] {
+    for command in ["inspect", "convert", "compare"] {
         let help = onering([command, "--help"]).out;
         for extension in Format::all().flat_map(Format::extensions) {
             assert!(help.contains(&format!(".{extension}")), "{command}: {extension}");

@@ -79,7 +79,10 @@ fn ring(options: &args::Deform) -> &str {
 }
 
 fn failed(name: &str, error: &press::Error) -> Failure {
-    Failure::Output(format!("{name}: {error}"))
+    match error {
+        press::Error::Fix(problem) => Failure::Usage(problem.clone()),
+        _ => Failure::Output(format!("{name}: {error}")),
+    }
 }
 
 fn write(mesh: &Triangles, pressed: &Pressed, target: &Target) -> Result<(), Failure> {
