@@ -145,7 +145,8 @@ fn table(args: &[&str]) -> Value {
 #[test]
 fn structures_list_as_many_results() {
     let table = table(&["--backend", "all"]);
-    assert_eq!((&table["vertices"], &table["queries"]), (&json!(65 * 65), &json!(200)));
+    assert_eq!(table["queries"], json!(200));
+    assert!(table["vertices"].as_u64().unwrap() > 1_000);
     let columns = table["backends"].as_array().unwrap();
     assert_eq!((columns.len(), &table["refusals"]), (12, &json!([])));
     for column in columns {

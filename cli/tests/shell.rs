@@ -25,7 +25,7 @@ fn options(command: &str) -> BTreeSet<String> {
     let help = onering([command, "--help"]).out;
     let starts =
         help.lines().filter_map(|line| line.trim_start().split("--").nth(1).filter(|_| is_option(line)));
-    starts.map(|rest| rest.split([' ', ',']).next().unwrap().to_owned()).collect()
+    starts.map(|rest| rest.split([' ', ',', '[']).next().unwrap().to_owned()).collect()
 }
 
 fn is_option(line: &str) -> bool {
