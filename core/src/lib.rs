@@ -21,8 +21,8 @@
 //! - Algorithms on connectivity: [`relations`], [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`],
 //!   [`umbrella`], [`orientation`], [`euler`], [`degrees`], [`dual`], [`submesh`].
 //! - Algorithms that take positions: [`normals`], [`measure`], [`curvature`], [`smoothing`], [`distance`], [`nearest`],
-//!   [`spring`], [`subdivision`], [`holes`], [`reorder`]; for a user's own, [`vector`] and [`triangle`].
-//! - Algorithms that take a scalar field: [`critical`], [`region`], [`contours`].
+//!   [`spring`], [`subdivision`], [`holes`], [`reorder`], [`region`]; for a user's own, [`vector`] and [`triangle`].
+//! - Algorithms that take a scalar field: [`critical`], [`contours`].
 //! - For the author of a structure: [`pairing`], [`fans`], [`ring`], [`corner`], [`memory`], and the laws in
 //!   `conformance` (a feature).
 #![no_std]
