@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let tips = critical::stalactite_tips(&mesh, &positions)?;
     println!("{} triangles, {} tips", faces.len(), tips.len());
     if let Some(&tip) = tips.first() {
-        let found = region::stalactite(&mesh, &positions, tip, region::StalactiteOptions::default())?;
+        let found = region::stalactite(&mesh, &positions, tip, &region::StalactiteOptions::default())?;
         let [min, max] = found.bounding_box(&positions);
         let size = [0, 1, 2].map(|i| max[i] - min[i]);
         println!(

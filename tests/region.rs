@@ -99,7 +99,7 @@ fn incidence<M: Incidence + FromFaces>() {
     };
     let known = [(0, 0.0, &sharp[..3]), (1, 10.0, &single[..2]), (2, 20.0, &blunt[..5])];
     for (i, x, profile) in known {
-        let found = region::stalactite(&mesh, &positions, tips[i], StalactiteOptions::default()).unwrap();
+        let found = region::stalactite(&mesh, &positions, tips[i], &StalactiteOptions::default()).unwrap();
         assert_eq!(found.faces().len(), n as usize * (2 * profile.len() - 3));
         assert_eq!(found.vertices().len(), n as usize * (profile.len() - 1) + 1);
         let area: f64 = profile.windows(2).map(|w| side(w[0], w[1])).sum();
@@ -111,7 +111,7 @@ fn incidence<M: Incidence + FromFaces>() {
         assert!(close(found_box[0], expected[0]) && close(found_box[1], expected[1]), "{found_box:?}");
         // Any vertex of the flank is as good as the tip.
         for &v in found.vertices() {
-            let again = region::stalactite(&mesh, &positions, v, StalactiteOptions::default()).unwrap();
+            let again = region::stalactite(&mesh, &positions, v, &StalactiteOptions::default()).unwrap();
             assert_eq!(again, found, "from {v:?}");
         }
     }
@@ -187,7 +187,7 @@ fn stalactites_that_have_grown_together() {
     let tips = critical::local_minima(&mesh, &height).unwrap();
     let tips: Vec<_> = tips.into_iter().filter(|&v| height[v] < -0.5).collect();
     assert_eq!(tips.len(), 2);
-    let find = |tip| region::stalactite(&mesh, &positions, tip, StalactiteOptions::default()).unwrap();
+    let find = |tip| region::stalactite(&mesh, &positions, tip, &StalactiteOptions::default()).unwrap();
     let found = [tips[0], tips[1]].map(find);
     for (i, region) in found.iter().enumerate() {
         let faces: BTreeSet<usize> = region.faces().iter().map(|f| f.index()).collect();
@@ -203,9 +203,9 @@ fn a_roof_without_stalactites() {
     let flat: Vec<_> = corners.iter().map(|&[x, y, z]| [x, y, 0.01 * z]).collect();
     let (mesh, positions) = built::<CheL2>(&(flat, faces));
     let v = VertexId::new(40);
-    let found = region::stalactite(&mesh, &positions, v, StalactiteOptions::default()).unwrap();
+    let found = region::stalactite(&mesh, &positions, v, &StalactiteOptions::default()).unwrap();
     assert!(found.faces().len() <= 6, "the faces at the tip alone");
-    let gentle = region::stalactite(&mesh, &positions, v, StalactiteOptions { steep: 0.5 }).unwrap();
+    let gentle = region::stalactite(&mesh, &positions, v, &StalactiteOptions { steep: 0.5 }).unwrap();
     assert!(gentle.faces().len() > 12, "steep is what the caller says");
 }
 
@@ -214,10 +214,10 @@ fn nothing_around_an_isolated_vertex() {
     let mesh = CheL2::from_faces(4, &[[0, 1, 2]]).unwrap();
     let positions = Map::filled(4, [0.0; 3]);
     let isolated = VertexId::new(3);
-    let found = region::stalactite(&mesh, &positions, isolated, StalactiteOptions::default()).unwrap();
+    let found = region::stalactite(&mesh, &positions, isolated, &StalactiteOptions::default()).unwrap();
     assert!(found.faces().is_empty() && found.vertices().is_empty());
     assert_eq!(found.area(&mesh, &positions), 0.0);
     assert_eq!(found.bounding_box(&positions), [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]]);
     let nan = Map::filled(4, [0.0, 0.0, f32::NAN]);
-    assert!(region::stalactite(&mesh, &nan, isolated, StalactiteOptions::default()).is_err());
+    assert!(region::stalactite(&mesh, &nan, isolated, &StalactiteOptions::default()).is_err());
 }

@@ -15,14 +15,14 @@ mod region;
 pub(crate) use compare::Compare;
 pub(crate) use contours::Contours;
 pub(crate) use convert::Convert;
-pub(crate) use deform::{At, Deform, Fix};
+pub(crate) use deform::{Deform, Fix};
 pub(crate) use formats::{is_written, written};
 pub(crate) use heights::Heights;
 pub(crate) use inspect::Inspect;
-pub(crate) use mesh_file::MeshFile;
+pub(crate) use mesh_file::{MeshFile, Structure};
 pub(crate) use minima::Minima;
 pub(crate) use query::{GRAPH, Query};
-pub(crate) use region::{Region, Seed};
+pub(crate) use region::Region;
 
 use crate::output::{self, Status};
 use clap::{CommandFactory, Parser, Subcommand};

@@ -1,6 +1,7 @@
 //! Meshes to compare on where no file is named: one small enough for what is quadratic, one closed, one with boundary,
 //! so that every part of every structure has something to do. Only their faces: no comparison looks at positions.
 
+use onering::{CheL1, FromFaces, Map, subdivision};
 use std::collections::HashMap;
 
 /// A mesh without positions.
@@ -30,20 +31,11 @@ const ICOSAHEDRON: [[u32; 3]; 20] = [
 fn sphere(levels: usize) -> Made {
     let (mut vertex_count, mut faces) = (12, ICOSAHEDRON.to_vec());
     for _ in 0..levels {
-        let mut middles: HashMap<[u32; 2], u32> = HashMap::new();
-        let mut middle = |a: u32, b: u32| {
-            *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
-                vertex_count += 1;
-                vertex_count - 1
-            })
-        };
-        let cut = |[a, b, c]: [u32; 3]| {
-            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
-            [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-        };
-        faces = faces.into_iter().flat_map(cut).collect();
+        let mesh = CheL1::from_faces(vertex_count, &faces).expect("a sphere");
+        let finer = subdivision::midpoint(&mesh, &Map::filled(vertex_count, [0.0; 3])).expect("not many");
+        (vertex_count, faces) = (finer.vertex_count, finer.faces);
     }
-    Made { name: "sphere (made here)", vertex_count: vertex_count as usize, faces }
+    Made { name: "sphere (made here)", vertex_count, faces }
 }
 
 /// A square of `side` x `side` cells of two triangles, without nine square holes of `hole` x `hole` cells.

@@ -1,9 +1,38 @@
 //! Meshes from files, and from standard input where the name is `-`.
 
+use crate::args::MeshFile;
+use crate::convert::Change;
+use crate::failure::Failure;
+use crate::made::Made;
 use onering::ring::{self, File};
 use onering_io::{Error, Format, Options, Triangles};
 use std::io::{self, Read};
 use std::path::Path;
+
+/// The one mesh that a command works on.
+#[derive(Debug)]
+pub(crate) struct Input {
+    /// What to call it.
+    pub(crate) name: String,
+    pub(crate) mesh: Triangles,
+    /// `None` where it was made.
+    pub(crate) format: Option<Format>,
+}
+
+impl Input {
+    /// The mesh of the command line, welded and repaired where that is asked for; `made` where no file is named.
+    pub(crate) fn read(options: &MeshFile, made: Made) -> Result<Self, Failure> {
+        let Some(path) = &options.file else {
+            return Ok(Self { name: made.name.into(), mesh: (made.mesh)(), format: None });
+        };
+        let bytes = bytes_of(path).map_err(Failure::Input)?;
+        let (mut mesh, format) =
+            mesh_in(&bytes, path, options.from, Options::default()).map_err(Failure::Input)?;
+        let name = name_of(path);
+        Change::apply(options.weld, options.repair, &name, &mut mesh)?;
+        Ok(Self { name, mesh, format: Some(format) })
+    }
+}
 
 /// Whether this names standard input or output, and no file.
 pub(crate) fn is_standard(path: &Path) -> bool {

@@ -4,6 +4,7 @@
 //! Thin over the library: what it prints, the crates `onering` and `onering-io` can be asked for.
 
 mod args;
+mod at;
 mod compare;
 mod contours;
 mod convert;

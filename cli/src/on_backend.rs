@@ -1,12 +1,9 @@
 //! Work that is written once and done on the structure that the user names.
 
-use crate::args::MeshFile;
-use crate::convert::Change;
 use crate::failure::Failure;
-use crate::input;
 use onering::registry::BACKENDS;
 use onering::{BuildError, FromFaces, Incidence, Searched, SharedVertex, WithOutgoing};
-use onering_io::{Format, Options, Triangles};
+use onering_io::Triangles;
 
 /// The smallest that takes everything but degenerate faces.
 pub(crate) const DEFAULT: &str = "directed-edges-small";
@@ -30,24 +27,6 @@ pub(crate) fn names() -> impl Iterator<Item = &'static str> {
 pub(crate) fn searches(name: &str) -> bool {
     let row = BACKENDS.iter().find(|backend| backend.name == name);
     row.is_none_or(|backend| !backend.traits.contains(&"adjacency"))
-}
-
-/// The mesh of the command line, welded and repaired where that is asked for; `made` where no file is named.
-pub(crate) fn read(options: &MeshFile, made: fn() -> Triangles) -> Result<Triangles, Failure> {
-    read_with_format(options, made).map(|(mesh, _)| mesh)
-}
-
-/// As [`read`], with the format of the file where there is one.
-pub(crate) fn read_with_format(
-    options: &MeshFile,
-    made: fn() -> Triangles,
-) -> Result<(Triangles, Option<Format>), Failure> {
-    let Some(path) = &options.file else { return Ok((made(), None)) };
-    let bytes = input::bytes_of(path).map_err(Failure::Input)?;
-    let (mut mesh, format) =
-        input::mesh_in(&bytes, path, options.from, Options::default()).map_err(Failure::Input)?;
-    Change::apply(options.weld, options.repair, &input::name_of(path), &mut mesh)?;
-    Ok((mesh, Some(format)))
 }
 
 /// Builds the structure of this name, which is one of [`names`], and does the work on it. What a structure lacks is

@@ -2,21 +2,12 @@
 
 use crate::args::{Heights, MeshFile};
 use crate::failure::Failure;
+use crate::input::Input;
+use crate::made::Made;
 use crate::up::{Up, has_y_up_and_metres};
-use crate::{input, made, on_backend};
 use onering::{Handle, Map, NotFinite};
 use onering_io::{Triangles, one_line};
 use std::fmt::Display;
-
-/// What is looked at where no file is named.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Made {
-    name: &'static str,
-    mesh: fn() -> Triangles,
-}
-
-pub(crate) const TERRAIN: Made = Made { name: "hills and hollows (made here)", mesh: made::terrain::mesh };
-pub(crate) const ROOF: Made = Made { name: "roof of a cave (made here)", mesh: made::roof::mesh };
 
 /// A mesh whose coordinates are all finite.
 #[derive(Debug)]
@@ -35,15 +26,14 @@ impl Surface {
     /// The mesh of the command line, `made` where no file is named.
     ///
     /// # Errors
-    /// What [`on_backend::read`] says, and where a coordinate is infinite or no number.
+    /// What [`Input::read`] says, and where a coordinate is infinite or no number.
     pub(crate) fn read(
         file: &MeshFile,
         made: Made,
         up: Option<Up>,
         unit: Option<&str>,
     ) -> Result<Self, Failure> {
-        let (mesh, format) = on_backend::read_with_format(file, made.mesh)?;
-        let name = file.file.as_deref().map_or(made.name.into(), input::name_of);
+        let Input { name, mesh, format } = Input::read(file, made)?;
         let finite = |p: &[f32; 3]| p.iter().all(|x| x.is_finite());
         if let Some(vertex) = mesh.positions.iter().position(|p| !finite(p)) {
             return Err(Failure::Input(format!("{name}: {}", NotFinite { vertex })));

@@ -77,14 +77,15 @@ impl FromStr for Up {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use onering::vector;
 
     /// The determinant of a rotation is 1: nothing is mirrored.
     #[test]
     fn every_up_is_a_rotation() {
         for up in ALL {
             let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|p| up.turned(p));
-            let [x, y] = [b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2]];
-            assert_eq!(a[0] * x + a[1] * y + a[2] * (b[0] * c[1] - b[1] * c[0]), 1.0, "{up}");
+            let [a, b, c] = [a, b, c].map(vector::of);
+            assert_eq!(vector::dot(a, vector::cross(b, c)), 1.0, "{up}");
             assert_eq!(up.to_string().parse(), Ok(up));
         }
         assert!("w".parse::<Up>().is_err());

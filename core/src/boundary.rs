@@ -83,10 +83,28 @@ pub fn edge_count<M: Adjacency + ?Sized>(mesh: &M) -> usize {
     mesh.half_edges().filter(|&h| mesh.is_boundary(h)).count()
 }
 
+/// Whether each vertex is an end of a boundary edge. O(vertices + half-edges).
+///
+/// ```
+/// # use onering::CheL1 as Mesh;
+/// use onering_core::{FromFaces, boundary};
+/// let mesh = Mesh::from_faces(4, &[[0, 1, 2]])?;
+/// assert_eq!(boundary::vertices(&mesh).as_slice(), [true, true, true, false]);
+/// # Ok::<(), onering_core::BuildError>(())
+/// ```
+pub fn vertices<M: Adjacency + ?Sized>(mesh: &M) -> Map<M::Vertex, bool> {
+    let mut is_on_boundary = Map::filled(mesh.vertex_count(), false);
+    for h in mesh.half_edges().filter(|&h| mesh.is_boundary(h)) {
+        is_on_boundary[mesh.origin(h)] = true;
+        is_on_boundary[mesh.target(h)] = true;
+    }
+    is_on_boundary
+}
+
 /// Number of closed loops that the boundary edges form, whatever the orientation of the faces: two boundary
 /// edges follow one another where they end in the same [umbrella](umbrella::umbrellas), so two sheets that touch
-/// in a vertex only have a loop each, and two holes that do have one together. `None` where "loop" has no single meaning: where an umbrella has other than
-/// two boundary edges or none, which takes an edge of three or more faces.
+/// in a vertex only have a loop each, and two holes that do have one together. `None` where "loop" has no single
+/// meaning: where an umbrella has other than two boundary edges or none, which takes an edge of three or more faces.
 ///
 /// As many as there are [`curves`], where faces agree in orientation and no edge has three. O(half-edges) then;
 /// nearly linear otherwise, with some 16 bytes for each half-edge.

@@ -91,7 +91,7 @@ impl<H: Handle> Line<'_, H> {
         let closing = self.is_closed.then(|| [self.crossings.last(), self.crossings.first()]);
         let pieces = self.crossings.windows(2).map(|w| [&w[0], &w[1]]);
         let closing = closing.into_iter().filter_map(|[last, first]| Some([last?, first?]));
-        pieces.chain(closing).map(|[a, b]| vector::length(vector::minus(point(b), point(a)))).sum()
+        pieces.chain(closing).map(|[a, b]| vector::distance(point(a), point(b))).sum()
     }
 }
 

@@ -11,7 +11,11 @@
 //!
 //! Where no two neighbours have one value, both find the same minima and maxima. An isolated vertex is on no
 //! surface, and is neither.
-use crate::{Incidence, Map, NotFinite, not_finite, region, vector};
+use crate::{
+    Incidence, Map, NotFinite,
+    normals::{self, Weight},
+    not_finite,
+};
 use alloc::vec::Vec;
 
 mod link;
@@ -101,8 +105,8 @@ pub fn local_maxima<M: Incidence + ?Sized>(
 /// The positions, z up, of a surface whose faces are counter-clockwise as seen from inside the cave.
 ///
 /// # Returns
-/// The vertices, ascending. The normal at a vertex is the sum of those of its faces, each as long as its area,
-/// and points down where its z is negative. As in the paper, every vertex of a plateau is one where both hold
+/// The vertices, ascending. The [normal at a vertex](normals::vertex_normal) is weighted by area, and points down
+/// where its z is negative. As in the paper, every vertex of a plateau is one where both hold
 /// for it: [`local_minima`] of the heights has one for each plateau.
 ///
 /// # Complexity
@@ -134,15 +138,7 @@ pub fn stalactite_tips<M: Incidence + ?Sized>(
 ) -> Result<Vec<M::Vertex>, NotFinite> {
     not_finite::positions(positions)?;
     let is_lowest = |v| mesh.neighbours(v).all(|u| positions[v][2] <= positions[u][2]);
-    let is_tip = |&v: &M::Vertex| is_lowest(v) && normal(mesh, positions, v)[2] < 0.0;
-    Ok(mesh.vertices().filter(is_tip).collect())
-}
-
-/// The sum of the normals of the faces of `v`, each twice as long as its area.
-fn normal<M: Incidence + ?Sized>(
-    mesh: &M,
-    positions: &Map<M::Vertex, [f32; 3]>,
-    v: M::Vertex,
-) -> vector::Vector {
-    mesh.star(v).map(|h| region::normal(mesh, positions, mesh.face(h))).fold([0.0; 3], vector::plus)
+    let normal = |v| normals::vertex_normal(mesh, positions, v, Weight::Area);
+    let faces_down = |v| normal(v).is_some_and(|n| n[2] < 0.0);
+    Ok(mesh.vertices().filter(|&v| is_lowest(v) && faces_down(v)).collect())
 }

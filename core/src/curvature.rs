@@ -30,7 +30,10 @@ use core::f64::consts::PI;
 /// O(vertices + half-edges); 12 bytes for each vertex, of which 8 are the result.
 ///
 /// # Errors
-/// [`NotFinite`]: a coordinate is infinite or no number. Panics if a position is missing.
+/// [`NotFinite`]: a coordinate is infinite or no number.
+///
+/// # Panics
+/// If a position is missing.
 ///
 /// # Example
 /// ```
@@ -70,7 +73,10 @@ pub fn angle_defects<M: Adjacency + ?Sized>(
 /// O(vertices + faces); 8 bytes for each vertex, which are the result.
 ///
 /// # Errors
-/// [`NotFinite`]: a coordinate is infinite or no number. Panics if a position is missing.
+/// [`NotFinite`]: a coordinate is infinite or no number.
+///
+/// # Panics
+/// If a position is missing.
 ///
 /// # Example
 /// ```
@@ -109,7 +115,10 @@ pub fn mixed_areas<M: Topology + ?Sized>(
 /// O(vertices + half-edges); 20 bytes for each vertex, of which 8 are the result.
 ///
 /// # Errors
-/// [`NotFinite`]: a coordinate is infinite or no number. Panics if a position is missing.
+/// [`NotFinite`]: a coordinate is infinite or no number.
+///
+/// # Panics
+/// If a position is missing.
 ///
 /// # Example
 /// ```
@@ -160,7 +169,10 @@ pub fn gaussian<M: Adjacency + ?Sized>(
 /// O(vertices + half-edges); 60 bytes for each vertex, of which 8 are the result.
 ///
 /// # Errors
-/// [`NotFinite`]: a coordinate is infinite or no number. Panics if a position is missing.
+/// [`NotFinite`]: a coordinate is infinite or no number.
+///
+/// # Panics
+/// If a position is missing.
 ///
 /// # Example
 /// ```

@@ -214,7 +214,7 @@ impl<V: Handle> Dijkstra<V> {
 /// assert_eq!(distance::straight(&positions)(VertexId::new(0), VertexId::new(1)), 5.0);
 /// ```
 pub fn straight<V: Handle>(positions: &Map<V, [f32; 3]>) -> impl Fn(V, V) -> f64 {
-    |u, v| vector::length(vector::minus(vector::of(positions[v]), vector::of(positions[u])))
+    |u, v| vector::distance(vector::of(positions[u]), vector::of(positions[v]))
 }
 
 /// The distance field of some vertices: the length of the shortest path along edges from the nearest of them to

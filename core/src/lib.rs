@@ -21,8 +21,8 @@
 //! - Algorithms on connectivity: [`relations`], [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`],
 //!   [`umbrella`], [`orientation`], [`euler`], [`degrees`], [`dual`], [`submesh`].
 //! - Algorithms that take positions: [`normals`], [`measure`], [`curvature`], [`smoothing`], [`distance`], [`nearest`],
-//!   [`spring`], [`subdivision`], [`holes`], [`reorder`].
-//! - Algorithms that take a scalar field: [`critical`], [`region`], [`contours`].
+//!   [`spring`], [`subdivision`], [`holes`], [`reorder`], [`region`]; for a user's own, [`vector`] and [`triangle`].
+//! - Algorithms that take a scalar field: [`critical`], [`contours`].
 //! - For the author of a structure: [`pairing`], [`fans`], [`ring`], [`corner`], [`memory`], and the laws in
 //!   `conformance` (a feature).
 #![no_std]
@@ -64,6 +64,7 @@ pub mod spring;
 pub mod star;
 pub mod subdivision;
 pub mod submesh;
+pub mod triangle;
 pub mod umbrella;
 pub mod vector;
 
@@ -83,7 +84,6 @@ mod reference;
 mod searched;
 mod slot;
 mod topology;
-mod triangle;
 mod with_opposites;
 mod with_outgoing;
 

@@ -45,7 +45,10 @@ pub fn face_area<M: Topology + ?Sized>(mesh: &M, positions: &Map<M::Vertex, [f32
 /// O(vertices + faces), without memory.
 ///
 /// # Errors
-/// [`NotFinite`]: a coordinate is infinite or no number. Panics if a position is missing.
+/// [`NotFinite`]: a coordinate is infinite or no number.
+///
+/// # Panics
+/// If a position is missing.
 ///
 /// # Example
 /// ```
@@ -77,7 +80,10 @@ pub fn area<M: Topology + ?Sized>(mesh: &M, positions: &Map<M::Vertex, [f32; 3]>
 /// O(vertices + faces), without memory.
 ///
 /// # Errors
-/// [`NotFinite`]: a coordinate is infinite or no number. Panics if a position is missing.
+/// [`NotFinite`]: a coordinate is infinite or no number.
+///
+/// # Panics
+/// If a position is missing.
 ///
 /// # Example
 /// ```
@@ -122,7 +128,10 @@ pub fn signed_volume<M: Topology + ?Sized>(
 /// O(vertices + faces), without memory.
 ///
 /// # Errors
-/// [`NotFinite`]: a coordinate is infinite or no number. Panics if a position is missing.
+/// [`NotFinite`]: a coordinate is infinite or no number.
+///
+/// # Panics
+/// If a position is missing.
 ///
 /// # Example
 /// ```
@@ -205,10 +214,8 @@ pub fn edge_length<M: Topology + ?Sized>(
     positions: &Map<M::Vertex, [f32; 3]>,
     h: M::HalfEdge,
 ) -> f64 {
-    vector::length(vector::minus(
-        vector::of(positions[mesh.target(h)]),
-        vector::of(positions[mesh.origin(h)]),
-    ))
+    let [p, q] = [mesh.origin(h), mesh.target(h)].map(|v| vector::of(positions[v]));
+    vector::distance(p, q)
 }
 
 /// The mean length of all edges, each counted once however many faces it has.
@@ -223,7 +230,10 @@ pub fn edge_length<M: Topology + ?Sized>(
 /// O(vertices + half-edges), without memory.
 ///
 /// # Errors
-/// [`NotFinite`]: a coordinate is infinite or no number. Panics if a position is missing.
+/// [`NotFinite`]: a coordinate is infinite or no number.
+///
+/// # Panics
+/// If a position is missing.
 ///
 /// # Example
 /// ```

@@ -121,7 +121,10 @@ pub fn vertex_normal<M: Incidence + ?Sized>(
 /// O(vertices + faces); 24 bytes for each vertex, which are the result.
 ///
 /// # Errors
-/// [`NotFinite`]: a coordinate is infinite or no number. Panics if a position is missing.
+/// [`NotFinite`]: a coordinate is infinite or no number.
+///
+/// # Panics
+/// If a position is missing.
 ///
 /// # Example
 /// ```

@@ -1,6 +1,6 @@
 //! Laplacian smoothing: vertices move towards the mean of their neighbours, step by step.
 use crate::{
-    Adjacency, Map, NotFinite, edges, not_finite, triangle,
+    Adjacency, Map, NotFinite, boundary, edges, not_finite, triangle,
     vector::{self, Vector},
 };
 use core::{error::Error, fmt};
@@ -114,10 +114,13 @@ impl Error for SmoothingError {}
 /// The positions, in place. Between steps they are `f64`, and are rounded once, at the end. All are finite.
 ///
 /// # Complexity
-/// O(vertices + half-edges) a step; 69 bytes for each vertex, taken once for all steps.
+/// O(vertices + half-edges) a step; 70 bytes for each vertex, taken once for all steps.
 ///
 /// # Errors
-/// [`SmoothingError`]; positions are then unchanged. Panics if a position is missing.
+/// [`SmoothingError`]; positions are then unchanged.
+///
+/// # Panics
+/// If a position is missing.
 ///
 /// # Example
 /// ```
@@ -145,13 +148,13 @@ pub fn smooth<M: Adjacency + ?Sized>(
 ) -> Result<(), SmoothingError> {
     options.check()?;
     not_finite::positions(positions)?;
+    let on_boundary = boundary::vertices(mesh);
     let mut state = State {
         mesh,
-        is_free: mesh.vertices().map(|v| !is_fixed(v)).collect(),
+        is_free: mesh.vertices().map(|v| !is_fixed(v) && !on_boundary[v]).collect(),
         at: mesh.vertices().map(|v| vector::of(positions[v])).collect(),
         sums: Map::filled(mesh.vertex_count(), ([0.0; 3], 0.0)),
     };
-    state.keep_boundary();
     for _ in 0..options.steps {
         state.step(options.weights, options.lambda);
         options.mu.into_iter().for_each(|mu| state.step(options.weights, mu));
@@ -173,14 +176,6 @@ struct State<'a, M: Adjacency + ?Sized> {
 }
 
 impl<M: Adjacency + ?Sized> State<'_, M> {
-    fn keep_boundary(&mut self) {
-        let mesh = self.mesh;
-        for h in mesh.half_edges().filter(|&h| mesh.is_boundary(h)) {
-            self.is_free[mesh.origin(h)] = false;
-            self.is_free[mesh.target(h)] = false;
-        }
-    }
-
     /// Moves every free vertex by `factor` times the way to the mean of its neighbours.
     fn step(&mut self, weights: Weights, factor: f64) {
         self.sums.as_mut_slice().fill(([0.0; 3], 0.0));

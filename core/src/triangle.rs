@@ -6,27 +6,23 @@ use crate::{
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
 /// The corners of a face, counter-clockwise.
-pub(crate) type Triangle = [Vector; 3];
+pub type Triangle = [Vector; 3];
 
-/// The positions of the corners of `f`.
+/// The positions of the corners of `f`. Panics if one is missing.
 #[inline]
-pub(crate) fn of<M: Topology + ?Sized>(
-    mesh: &M,
-    positions: &Map<M::Vertex, [f32; 3]>,
-    f: M::Face,
-) -> Triangle {
+pub fn of<M: Topology + ?Sized>(mesh: &M, positions: &Map<M::Vertex, [f32; 3]>, f: M::Face) -> Triangle {
     mesh.face_vertices(f).map(|v| vector::of(positions[v]))
 }
 
-/// The vector across the face whose length is twice its area.
+/// The vector across the face whose length is twice its area; it looks to where the corners are counter-clockwise.
 #[inline]
-pub(crate) fn normal([a, b, c]: Triangle) -> Vector {
+pub fn normal([a, b, c]: Triangle) -> Vector {
     vector::cross(vector::minus(b, a), vector::minus(c, a))
 }
 
 /// The area.
 #[inline]
-pub(crate) fn area(triangle: Triangle) -> f64 {
+pub fn area(triangle: Triangle) -> f64 {
     vector::length(normal(triangle)) / 2.0
 }
 

@@ -54,6 +54,12 @@ pub fn length(a: Vector) -> f64 {
     libm::sqrt(dot(a, a))
 }
 
+/// The distance of two points.
+#[inline]
+pub fn distance(p: Vector, q: Vector) -> f64 {
+    length(minus(q, p))
+}
+
 /// The vector of length 1 in the direction of `a`; `None` where `a` has no direction: length zero, or not finite.
 #[inline]
 pub fn direction(a: Vector) -> Option<Vector> {
@@ -70,7 +76,7 @@ mod tests {
         let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         assert_eq!((cross(x, y), cross(y, z), cross(z, x)), (z, x, y));
         assert_eq!(dot(plus(x, times(2.0, y)), minus(y, z)), 2.0);
-        assert_eq!(length([2.0, 3.0, 6.0]), 7.0);
+        assert_eq!((length([2.0, 3.0, 6.0]), distance(x, [3.0, 3.0, 6.0])), (7.0, 7.0));
     }
 
     #[test]

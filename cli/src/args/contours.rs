@@ -1,6 +1,6 @@
 //! `onering contours`: what can be said of it.
 
-use super::{EXIT_CODES, Heights, MeshFile};
+use super::{EXIT_CODES, Heights, MeshFile, Structure};
 use clap::ArgGroup;
 use std::path::PathBuf;
 
@@ -15,6 +15,8 @@ const MOST_LEVELS: u32 = 100_000;
 pub(crate) struct Contours {
     #[command(flatten)]
     pub(crate) mesh: MeshFile,
+    #[command(flatten)]
+    pub(crate) structure: Structure,
     #[command(flatten)]
     pub(crate) heights: Heights,
     /// So many levels, which divide the range into equal parts

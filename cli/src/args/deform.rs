@@ -1,6 +1,7 @@
 //! `onering deform`: what can be said of it.
 
-use super::{EXIT_CODES, MeshFile, fail, formats};
+use super::{EXIT_CODES, MeshFile, Structure, fail, formats};
+use crate::at::{At, parse_number, parse_vector};
 use crate::input;
 use onering::vector::{self, Vector};
 use onering_io::Format;
@@ -18,6 +19,8 @@ use std::str::FromStr;
 pub(crate) struct Deform {
     #[command(flatten)]
     pub(crate) mesh: MeshFile,
+    #[command(flatten)]
+    pub(crate) structure: Structure,
     /// Where to press: a vertex by its number from 0 (once welded and repaired), or a point, whose nearest vertex is
     /// taken [default: the vertex farthest to the left, top and front]
     #[arg(long, value_name = "VERTEX|X,Y,Z", allow_hyphen_values = true)]
@@ -103,27 +106,6 @@ impl Deform {
     }
 }
 
-/// Where to press.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum At {
-    Vertex(usize),
-    /// The vertex nearest to it.
-    Point(Vector),
-}
-
-impl FromStr for At {
-    type Err = String;
-
-    fn from_str(word: &str) -> Result<Self, String> {
-        if word.contains(',') {
-            return parse_vector(word).map(Self::Point);
-        }
-        word.parse()
-            .map(Self::Vertex)
-            .map_err(|_| "neither the number of a vertex nor three coordinates".into())
-    }
-}
-
 /// Which vertices stay where they are.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Fix {
@@ -147,7 +129,7 @@ impl FromStr for Fix {
         let (kind, value) = word.split_once(':').unwrap_or((word, ""));
         match kind {
             "boundary" if value.is_empty() => Ok(Self::Boundary),
-            "farthest" => match number(value)? {
+            "farthest" => match parse_number(value)? {
                 percent if percent > 0.0 && percent < 100.0 => Ok(Self::Farthest(percent)),
                 _ => Err("farthest:PERCENT is more than 0 and less than 100".into()),
             },
@@ -157,7 +139,7 @@ impl FromStr for Fix {
             "below" => {
                 let (axis, value) = value.split_once('=').ok_or("as in below:z=0.5")?;
                 let axis = ["x", "y", "z"].iter().position(|name| *name == axis);
-                Ok(Self::Below(axis.ok_or("the axes are x, y and z")?, number(value)?))
+                Ok(Self::Below(axis.ok_or("the axes are x, y and z")?, parse_number(value)?))
             }
             _ => {
                 let numbers: Result<_, _> = word.split(',').map(str::parse).collect();
@@ -167,17 +149,6 @@ impl FromStr for Fix {
             }
         }
     }
-}
-
-fn number(word: &str) -> Result<f64, String> {
-    let number = word.trim().parse::<f64>().ok().filter(|number| number.is_finite());
-    number.ok_or_else(|| format!("'{word}' is no finite number"))
-}
-
-/// Three finite numbers with commas between.
-fn parse_vector(word: &str) -> Result<Vector, String> {
-    let numbers: Vec<f64> = word.split(',').map(number).collect::<Result<_, _>>()?;
-    numbers.try_into().map_err(|_| "three numbers are needed, as in 0,0,-1".into())
 }
 
 fn out_help() -> String {
@@ -213,12 +184,5 @@ mod tests {
         ] {
             assert!(fix(word).is_err(), "{word}");
         }
-    }
-
-    #[test]
-    fn a_place_is_a_vertex_or_a_point() {
-        let at = |word: &str| word.parse::<At>();
-        assert_eq!((at("12"), at("1,-2.5,3e2")), (Ok(At::Vertex(12)), Ok(At::Point([1.0, -2.5, 300.0]))));
-        assert!(["-1", "1,2", "1,2,nan", "1,2,inf", "x"].iter().all(|word| at(word).is_err()));
     }
 }

@@ -1,4 +1,4 @@
-//! What every command says that works on one mesh in one structure: the file, its format, the backend.
+//! What every command says that works on one mesh: the file, its format, what to mend; and the structure to hold it in.
 
 use super::formats;
 use crate::on_backend;
@@ -6,7 +6,7 @@ use clap::builder::PossibleValuesParser;
 use onering_io::Format;
 use std::path::PathBuf;
 
-/// The mesh to work on, and the structure to hold it in.
+/// The mesh to work on.
 #[derive(Debug, clap::Args)]
 pub(crate) struct MeshFile {
     #[arg(value_name = "FILE", help = file_help())]
@@ -14,16 +14,21 @@ pub(crate) struct MeshFile {
     /// The format of FILE, whatever its name and its content
     #[arg(long, value_name = "FORMAT", ignore_case = true, value_parser = formats::parse_read())]
     pub(crate) from: Option<Format>,
-    /// The data structure to hold the mesh in; `searched` is none at all: every answer is searched for
-    #[arg(long, value_name = "NAME", default_value = on_backend::DEFAULT,
-          value_parser = PossibleValuesParser::new(on_backend::names()))]
-    pub(crate) backend: String,
     /// Make vertices at equal positions one, before all else
     #[arg(long)]
     pub(crate) weld: bool,
     /// Make it a manifold that every backend accepts, first
     #[arg(long)]
     pub(crate) repair: bool,
+}
+
+/// The structure to hold the mesh in.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Structure {
+    /// The data structure to hold the mesh in; `searched` is none at all: every answer is searched for
+    #[arg(long, value_name = "NAME", default_value = on_backend::DEFAULT,
+          value_parser = PossibleValuesParser::new(on_backend::names()))]
+    pub(crate) backend: String,
 }
 
 fn file_help() -> String {

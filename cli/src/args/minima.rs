@@ -1,6 +1,6 @@
 //! `onering minima`: what can be said of it.
 
-use super::{EXIT_CODES, Heights, MeshFile};
+use super::{EXIT_CODES, Heights, MeshFile, Structure};
 use std::path::PathBuf;
 
 /// Find the local minima of a mesh, such as hollows and the tips of stalactites
@@ -11,6 +11,8 @@ use std::path::PathBuf;
 pub(crate) struct Minima {
     #[command(flatten)]
     pub(crate) mesh: MeshFile,
+    #[command(flatten)]
+    pub(crate) structure: Structure,
     #[command(flatten)]
     pub(crate) heights: Heights,
     /// Find local maxima as well

@@ -1,11 +1,9 @@
 //! `onering query`: what can be said of it.
 
-use super::{EXIT_CODES, MeshFile, fail, formats};
+use super::{EXIT_CODES, MeshFile, fail};
 use crate::on_backend;
 use crate::query::{Id, Relation};
 use clap::builder::PossibleValuesParser;
-use onering_io::Format;
-use std::path::PathBuf;
 
 /// Ask for one of the nine relations between vertices, edges and faces, or take the time of random queries
 ///
@@ -19,9 +17,8 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXIT_CODES)]
 pub(crate) struct Query {
-    /// A mesh file, also packed with gzip; `-` is standard input. Without one, a mesh that is made here
-    #[arg(value_name = "FILE")]
-    pub(crate) file: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) mesh: MeshFile,
     /// What to ask for; TopTri's names are taken as well
     #[arg(long, value_name = "RELATION", ignore_case = true, requires = "ids")]
     pub(crate) relation: Option<Relation>,
@@ -47,15 +44,6 @@ pub(crate) struct Query {
     /// Print JSON: an object a line for each id, with coordinates, or one object of all that was measured
     #[arg(long)]
     pub(crate) json: bool,
-    /// The format of FILE, whatever its name and its content
-    #[arg(long, value_name = "FORMAT", ignore_case = true, value_parser = formats::parse_read())]
-    pub(crate) from: Option<Format>,
-    /// Make vertices at equal positions one, before all else
-    #[arg(long)]
-    pub(crate) weld: bool,
-    /// Make it a manifold that every backend accepts, first
-    #[arg(long)]
-    pub(crate) repair: bool,
 }
 
 /// The bare graph, which is none of the names that work on meshes.
@@ -91,11 +79,5 @@ impl Query {
             }
         }
         (names, false)
-    }
-
-    /// What is to be read.
-    pub(crate) fn mesh_file(&self) -> MeshFile {
-        let Self { file, from, weld, repair, .. } = self;
-        MeshFile { file: file.clone(), from: *from, backend: String::new(), weld: *weld, repair: *repair }
     }
 }

@@ -7,9 +7,10 @@ pub(crate) use trace::{Traced, check_size};
 
 use crate::failure::Failure;
 use crate::level::Levels;
+use crate::made;
 use crate::minima::Extrema;
 use crate::output::{self, Status};
-use crate::surface::{self, Surface};
+use crate::surface::Surface;
 use crate::svg_map::{self, Map};
 use crate::{args, on_backend};
 use onering::Incidence;
@@ -26,22 +27,22 @@ pub(crate) fn run(options: &args::Contours) -> io::Result<Status> {
 
 /// What is to be printed. Files are written before: nothing is said of one that could not be.
 fn contours(options: &args::Contours) -> Result<String, Failure> {
-    let surface = &Surface::with_field(&options.mesh, surface::TERRAIN, &options.heights)?;
+    let surface = &Surface::with_field(&options.mesh, made::TERRAIN, &options.heights)?;
     let levels = &Levels::of(options, surface.range()).map_err(Failure::Usage)?;
     check_size(surface, levels)?;
     let work = Work { surface, levels, minima: options.minima };
-    let (traced, extrema) = on_backend::run(&options.mesh.backend, &surface.mesh, work)??;
+    let (traced, extrema) = on_backend::run(&options.structure.backend, &surface.mesh, work)??;
     if let Some(path) = &options.lines {
         traced.lines.save(path).map_err(|error| Failure::Output(error.to_string()))?;
     }
     if let Some(path) = &options.svg {
         svg_map::save(path, &Map { surface, levels, lines: &traced.lines, extrema: &extrema })?;
     }
-    let report = Report::new(&options.mesh.backend, surface, levels, &traced, &extrema);
+    let report = Report::new(&options.structure.backend, surface, levels, &traced, &extrema);
     if options.json {
         return Ok(report.json());
     }
-    output::tell(&format!("traced in {:.3} ms on {}", 1e3 * traced.seconds, options.mesh.backend));
+    output::tell(&format!("traced in {:.3} ms on {}", 1e3 * traced.seconds, options.structure.backend));
     Ok(report.text(surface))
 }
 

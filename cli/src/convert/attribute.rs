@@ -6,8 +6,7 @@ use crate::{args, input};
 use onering::k_ring::KRing;
 use onering::neighbours::Neighbours;
 use onering::{
-    Adjacency, BuildError, DirectedEdgesSmall, FaceId, FromFaces, Handle, Topology, VertexGraph, VertexId,
-    components,
+    BuildError, DirectedEdgesSmall, FaceId, FromFaces, Handle, VertexGraph, VertexId, boundary, components,
 };
 use onering_io::{Format, Triangles, Values};
 use std::str::FromStr;
@@ -157,11 +156,7 @@ fn first_components(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Vec<u32>,
 
 fn boundary(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Vec<bool>, String> {
     let mesh = adjacency(vertex_count, faces)?;
-    let mut is_on = vec![false; vertex_count];
-    for h in mesh.half_edges().filter(|&h| mesh.is_boundary(h)) {
-        [mesh.origin(h), mesh.target(h)].iter().for_each(|v| is_on[v.index()] = true);
-    }
-    Ok(is_on)
+    Ok(boundary::vertices(&mesh).as_slice().to_vec())
 }
 
 fn valences(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Vec<u32>, String> {

@@ -1,9 +1,7 @@
 //! Which vertices are held.
 
 use crate::args::Fix;
-use onering::k_ring;
-use onering::vector;
-use onering::{Handle, Incidence, Map};
+use onering::{Handle, Incidence, Map, boundary, k_ring, vector};
 
 /// The vertices that stay, where vertex `at` is pressed. O(half-edges) questions to the mesh, and O(n log n) for the
 /// farthest.
@@ -18,7 +16,10 @@ pub(crate) fn held<M: Incidence>(
 ) -> Result<Vec<M::Vertex>, String> {
     let count = mesh.vertex_count();
     let held = match fix {
-        Fix::Boundary => boundary(mesh),
+        Fix::Boundary => {
+            let is_on_boundary = boundary::vertices(mesh);
+            mesh.vertices().filter(|&v| is_on_boundary[v]).collect()
+        }
         Fix::Farthest(percent) => farthest(positions, at, *percent),
         Fix::Beyond(rings) => {
             let mut is_near = Map::filled(count, false);
@@ -30,7 +31,9 @@ pub(crate) fn held<M: Incidence>(
             mesh.vertices().filter(|&v| f64::from(positions[v][axis]) < value).collect()
         }
         Fix::Vertices(vertices) => match vertices.iter().find(|&&v| v >= count) {
-            Some(v) => return Err(format!("--fix {v}: there is no vertex {v}: there are {count}, from 0")),
+            Some(v) => {
+                return Err(format!("--fix {v}: there is no vertex {v}: there are {count}, counted from 0"));
+            }
             None => vertices.iter().map(|&v| M::Vertex::new(v)).collect(),
         },
     };
@@ -40,18 +43,10 @@ pub(crate) fn held<M: Incidence>(
     Ok(held)
 }
 
-fn boundary<M: Incidence>(mesh: &M) -> Vec<M::Vertex> {
-    let mut is_on = Map::filled(mesh.vertex_count(), false);
-    for h in mesh.half_edges().filter(|&h| mesh.is_boundary(h)) {
-        [mesh.origin(h), mesh.target(h)].into_iter().for_each(|v| is_on[v] = true);
-    }
-    mesh.vertices().filter(|&v| is_on[v]).collect()
-}
-
 /// So many vertices in a hundred, those farthest in space, but never `at` itself; of those at the same distance the
 /// first ones.
 pub(crate) fn farthest<V: Handle>(positions: &Map<V, [f32; 3]>, at: V, percent: f64) -> Vec<V> {
-    let distance = |v: V| vector::length(vector::minus(vector::of(positions[v]), vector::of(positions[at])));
+    let distance = |v: V| vector::distance(vector::of(positions[v]), vector::of(positions[at]));
     let mut others: Vec<(f64, V)> =
         (0..positions.len()).map(V::new).filter(|&v| v != at).map(|v| (distance(v), v)).collect();
     others.sort_unstable_by(|(a, u), (b, v)| b.total_cmp(a).then(u.cmp(v)));

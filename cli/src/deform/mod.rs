@@ -7,13 +7,14 @@ mod report;
 mod show;
 
 pub(crate) use fix::farthest;
-pub(crate) use press::{Load, sweep};
+pub(crate) use press::{Load, largest, sweep};
 
 use crate::convert::{Holds, Target};
 use crate::failure::Failure;
+use crate::input::{self, Input};
 use crate::output::{self, Status};
 use crate::progress::Progress;
-use crate::{args, input, made, on_backend};
+use crate::{args, made, on_backend};
 use onering_io::{Attribute, MeshRef, Replacement, Triangles, Values};
 use press::{Press, Pressed};
 use report::Report;
@@ -47,15 +48,14 @@ fn deform(options: &args::Deform) -> Result<String, Failure> {
     });
     let png = png.transpose()?;
     let progress = Progress::start(STEPS);
-    let mesh = progress.step("reading", || on_backend::read(&options.mesh, made::organ::mesh))?;
-    let name = options.mesh.file.as_deref().map_or("an organ (made here)".into(), input::name_of);
+    let Input { name, mesh, .. } = progress.step("reading", || Input::read(&options.mesh, made::ORGAN))?;
     place::check(&name, &mesh)?;
-    let at = place::of(options.at, &mesh)?;
+    let at = options.at.map_or_else(|| Ok(place::usual(&mesh)), |at| at.vertex(&name, &mesh))?;
     let normal = place::normal(&mesh, at);
     let axes = png.is_some().then(|| show::axes(options, normal)).transpose()?;
     let press = Press::of(options, &mesh, at, normal);
     let pressed = progress.step("pressing", || {
-        let pressed = on_backend::run(&options.mesh.backend, &mesh, press)?;
+        let pressed = on_backend::run(&options.structure.backend, &mesh, press)?;
         pressed.map_err(|error| failed(&name, &error))
     })?;
     let mut report = Report::of(options, name, &mesh, at, &pressed);
@@ -72,7 +72,7 @@ fn deform(options: &args::Deform) -> Result<String, Failure> {
 
 /// Whose arrays go into a `.ring` file: no structure at all has none.
 fn ring(options: &args::Deform) -> &str {
-    match options.mesh.backend.as_str() {
+    match options.structure.backend.as_str() {
         on_backend::SEARCHED => on_backend::DEFAULT,
         name => name,
     }

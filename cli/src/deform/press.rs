@@ -5,7 +5,7 @@ use crate::args;
 use crate::on_backend::Work;
 use onering::spring::{Options, Simulation, Solved, SpringError, Stiffness};
 use onering::vector::{self, Vector};
-use onering::{Handle, Incidence, Map};
+use onering::{Handle, Incidence, Map, measure};
 use onering_io::Triangles;
 use std::fmt;
 use std::hint::black_box;
@@ -136,7 +136,7 @@ impl<'a> Press<'a> {
         let roughly = Load { tolerance: 1e-3, ..self.load };
         let (simulation, _) = roughly.rest(mesh, positions, options)?;
         let largest = largest(simulation.displacements().as_slice());
-        let scale = VISIBLE * diagonal(&self.mesh.positions) / largest;
+        let scale = VISIBLE * diagonal(positions) / largest;
         Ok(vector::times(if scale.is_finite() { scale } else { 1.0 }, self.load.force))
     }
 
@@ -210,14 +210,10 @@ pub(crate) fn largest(displacements: &[Vector]) -> f64 {
     displacements.iter().map(|&d| vector::length(d)).fold(0.0, f64::max)
 }
 
-fn diagonal(positions: &[[f32; 3]]) -> f64 {
-    let side = |axis: usize| {
-        let widen = |[least, most]: [f64; 2], x: f64| [least.min(x), most.max(x)];
-        let along = positions.iter().map(|p| f64::from(p[axis]));
-        let [least, most] = along.fold([f64::INFINITY, f64::NEG_INFINITY], widen);
-        most - least
-    };
-    vector::length(std::array::from_fn(side))
+/// That of the box around them.
+fn diagonal<V: Handle>(positions: &Map<V, [f32; 3]>) -> f64 {
+    let bounds = measure::bounding_box(positions).ok().flatten();
+    bounds.map_or(0.0, |[min, max]| vector::distance(vector::of(min), vector::of(max)))
 }
 
 fn timed<T>(work: impl FnOnce() -> T) -> (Duration, T) {

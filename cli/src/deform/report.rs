@@ -44,7 +44,7 @@ impl Report {
             mesh: name,
             vertices: mesh.positions.len(),
             triangles: mesh.faces.len(),
-            backend: options.mesh.backend.clone(),
+            backend: options.structure.backend.clone(),
             at,
             force: pressed.force,
             rings: options.rings,

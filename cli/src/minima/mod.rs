@@ -8,8 +8,9 @@ pub(crate) use extrema::{Extrema, Extremum};
 use crate::contours::{Traced, check_size};
 use crate::failure::Failure;
 use crate::level::Levels;
+use crate::made;
 use crate::output::{self, Status};
-use crate::surface::{self, Surface};
+use crate::surface::Surface;
 use crate::svg_map::{self, Map};
 use crate::{args, on_backend};
 use onering::{Incidence, NotFinite, critical};
@@ -27,14 +28,14 @@ pub(crate) fn run(options: &args::Minima) -> io::Result<Status> {
 
 /// What is to be printed. Files are written before: nothing is said of one that could not be.
 fn minima(options: &args::Minima) -> Result<String, Failure> {
-    let made = if options.stalactites { surface::ROOF } else { surface::TERRAIN };
+    let made = if options.stalactites { made::ROOF } else { made::TERRAIN };
     let surface = &Surface::with_field(&options.mesh, made, &options.heights)?;
     // Beside the points, a map has lines.
     let range = surface.range().filter(|_| options.svg.is_some());
     let levels = &range.map(Levels::usual).unwrap_or_default();
     check_size(surface, levels)?;
     let work = Work { options, surface, levels };
-    let (extrema, traced, seconds) = on_backend::run(&options.mesh.backend, &surface.mesh, work)??;
+    let (extrema, traced, seconds) = on_backend::run(&options.structure.backend, &surface.mesh, work)??;
     if let Some(path) = &options.points {
         let points = extrema.points(surface.field_name());
         points.and_then(|points| points.save(path)).map_err(|error| Failure::Output(error.to_string()))?;
@@ -46,7 +47,7 @@ fn minima(options: &args::Minima) -> Result<String, Failure> {
     if options.json {
         return Ok(report.json());
     }
-    output::tell(&format!("found in {:.3} ms on {}", 1e3 * seconds, options.mesh.backend));
+    output::tell(&format!("found in {:.3} ms on {}", 1e3 * seconds, options.structure.backend));
     Ok(report.text())
 }
 

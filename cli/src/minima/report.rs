@@ -38,7 +38,7 @@ impl<'a> Report<'a> {
         let Extrema { minima, maxima, saddles } = extrema;
         Self {
             file: &surface.name,
-            backend: &options.mesh.backend,
+            backend: &options.structure.backend,
             vertices: surface.mesh.positions.len(),
             triangles: surface.mesh.faces.len(),
             up: surface.up.to_string(),

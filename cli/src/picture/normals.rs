@@ -1,12 +1,12 @@
 //! Normals of a surface as the camera sees it.
 
+use onering::triangle;
 use onering::vector::{self, Vector};
 
 /// Twice the area vector of the face: its length is twice the area, and it points to where the corners are
 /// counter-clockwise.
-pub(crate) fn of_face([a, b, c]: [[f32; 3]; 3]) -> Vector {
-    let [a, b, c] = [a, b, c].map(vector::of);
-    vector::cross(vector::minus(b, a), vector::minus(c, a))
+pub(crate) fn of_face(corners: [[f32; 3]; 3]) -> Vector {
+    triangle::normal(corners.map(vector::of))
 }
 
 /// For each vertex the sum of the area vectors of its faces. A vertex at which they cancel has none to speak of.

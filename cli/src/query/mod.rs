@@ -11,6 +11,7 @@ pub(crate) use relation::Relation;
 
 use crate::args::{self, GRAPH};
 use crate::failure::Failure;
+use crate::input::Input;
 use crate::made;
 use crate::on_backend;
 use crate::output::{self, Status};
@@ -29,10 +30,10 @@ pub(crate) fn run(options: &args::Query) -> io::Result<Status> {
 }
 
 fn text(options: &args::Query) -> Result<String, Failure> {
-    let mesh = on_backend::read(&options.mesh_file(), made::terrain::mesh)?;
+    let input = Input::read(&options.mesh, made::TERRAIN)?;
     match options.relation {
-        Some(relation) => answers(options, relation, &mesh),
-        None => random::text(options, &mesh),
+        Some(relation) => answers(options, relation, &input.mesh),
+        None => random::text(options, &input),
     }
 }
 

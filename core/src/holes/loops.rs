@@ -1,7 +1,7 @@
 //! From boundary curves to loops that come by each vertex once.
 use super::{FillOptions, LeftReason, clip, edges::Edges, optimal};
 use crate::vector::{self, Vector};
-use crate::{Adjacency, Handle, Map, boundary};
+use crate::{Adjacency, Handle, Map, boundary, normals};
 use alloc::{collections::BTreeMap, vec::Vec};
 
 /// The half-edges of the curve that starts with `start`.
@@ -56,7 +56,7 @@ impl Hole {
     ) -> Self {
         let number = |v: M::Vertex| v.index() as u32;
         let at = |v: M::Vertex| vector::of(positions[v]);
-        let normal = |&h: &M::HalfEdge| normal(mesh.face_vertices(mesh.face(h)).map(at));
+        let normal = |&h: &M::HalfEdge| normals::face_normal(mesh, positions, mesh.face(h));
         Self {
             vertices: half_edges.iter().map(|&h| number(mesh.origin(h))).collect(),
             points: half_edges.iter().map(|&h| at(mesh.origin(h))).collect(),
@@ -90,9 +90,4 @@ impl Hole {
         let apart = i.abs_diff(j);
         apart == 1 || apart + 1 == self.vertices.len()
     }
-}
-
-/// The unit normal of a triangle, where it has one.
-fn normal([a, b, c]: [Vector; 3]) -> Option<Vector> {
-    vector::direction(vector::cross(vector::minus(b, a), vector::minus(c, a)))
 }

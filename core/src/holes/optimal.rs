@@ -1,7 +1,8 @@
 //! The best triangulation of a loop, by dynamic programming over its parts.
 use super::edges::Edges;
 use super::loops::Hole;
-use crate::vector::{self, Vector, cross, dot, length, minus};
+use crate::triangle;
+use crate::vector::{self, Vector, dot, length};
 use alloc::{vec, vec::Vec};
 
 /// The best way to fill what lies between two vertices of the loop, and the chord between them.
@@ -53,8 +54,7 @@ fn best(hole: &Hole, parts: &[Part], weigh_folds: bool, [i, k]: [usize; 2]) -> P
         if (fold, area) >= (best.fold, best.area) {
             continue;
         }
-        let [p, q, r] = [k, j, i].map(|i| hole.points[i]);
-        let doubled = cross(minus(q, p), minus(r, p));
+        let doubled = triangle::normal([k, j, i].map(|i| hole.points[i]));
         let normal = vector::direction(doubled).unwrap_or([0.0; 3]);
         area += 0.5 * length(doubled);
         if weigh_folds {

@@ -1,6 +1,6 @@
 //! The faces of a stalactite, from one of its vertices.
-use super::{Region, grown, normal};
-use crate::{Incidence, Map, NotFinite, not_finite, vector};
+use super::{Region, grown};
+use crate::{Incidence, Map, NotFinite, normals, not_finite};
 use alloc::vec::Vec;
 
 /// What [`stalactite()`] takes for the flank of a stalactite.
@@ -59,7 +59,7 @@ impl Default for StalactiteOptions {
 /// let mesh = Mesh::from_faces(6, &[[1, 0, 4], [2, 1, 4], [3, 2, 4], [0, 3, 4], [0, 1, 5]])?;
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.5, 0.5, -1.0], [0.5, -1.0, 0.0]];
 /// let positions = Map::from(corners.to_vec());
-/// let found = region::stalactite(&mesh, &positions, VertexId::new(4), region::StalactiteOptions::default())?;
+/// let found = region::stalactite(&mesh, &positions, VertexId::new(4), &region::StalactiteOptions::default())?;
 /// assert_eq!(found.faces().len(), 4);
 /// assert_eq!(found.bounding_box(&positions), [[0.0, 0.0, -1.0], [1.0, 1.0, 0.0]]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -71,14 +71,14 @@ pub fn stalactite<M: Incidence + ?Sized>(
     mesh: &M,
     positions: &Map<M::Vertex, [f32; 3]>,
     picked: M::Vertex,
-    options: StalactiteOptions,
+    options: &StalactiteOptions,
 ) -> Result<Region<M::Face, M::Vertex>, NotFinite> {
     not_finite::positions(positions)?;
     let z = |v: M::Vertex| positions[v][2];
     let tip = lowest_below(mesh, picked, z);
     let at_tip: Vec<M::Face> = mesh.star(tip).map(|h| mesh.face(h)).collect();
     let cosine = libm::cos(options.steep.to_radians());
-    let is_steep = |f| vector::direction(normal(mesh, positions, f)).map(|n| n[2].abs() <= cosine);
+    let is_steep = |f| normals::face_normal(mesh, positions, f).map(|n| n[2].abs() <= cosine);
     let rises = |g| {
         let apex = z(mesh.origin(mesh.prev(g)));
         apex >= z(mesh.origin(g)) || apex >= z(mesh.target(g))

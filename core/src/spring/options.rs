@@ -15,6 +15,17 @@ pub enum Stiffness<H> {
     Each(Map<H, f64>),
 }
 
+impl<H> Stiffness<H> {
+    /// That of one spring, by its length at rest, and by what [`Each`](Self::Each) has for it.
+    pub(super) fn of(&self, length: f64, each: f64) -> f64 {
+        match self {
+            Self::Same(k) => *k,
+            Self::OverLength(k) => k / length,
+            Self::Each(_) => each,
+        }
+    }
+}
+
 /// What a simulation is made with, beside the mesh and the positions: `V` names vertices, `H` half-edges.
 ///
 /// ```

@@ -1,7 +1,7 @@
 //! [`Rows`]: the springs of each vertex, as its ring is walked.
 use super::{SpringError, Stiffness};
 use crate::{
-    Handle, Incidence, Map,
+    Handle, Incidence, Map, relations,
     vector::{self, Vector},
 };
 use alloc::vec::Vec;
@@ -33,25 +33,19 @@ impl<V: Handle> Rows<V> {
         let mut along = Map::filled(mesh.vertex_count(), 0.0);
         for v in mesh.vertices() {
             if let Stiffness::Each(each) = stiffness {
-                for h in mesh.star(v) {
-                    let p = mesh.prev(h);
-                    along[mesh.target(h)] = each[least(mesh, h)];
-                    along[mesh.origin(p)] = each[least(mesh, p)];
+                for e in relations::vertex_edges(mesh, v) {
+                    let [a, b] = relations::edge_vertices(mesh, e);
+                    along[if a == v { b } else { a }] = each[e];
                 }
             }
             let mut sum = 0.0;
             for u in mesh.neighbours(v) {
                 let vertices = [v.min(u).index(), v.max(u).index()];
-                let length =
-                    vector::length(vector::minus(vector::of(positions[u]), vector::of(positions[v])));
+                let length = vector::distance(vector::of(positions[v]), vector::of(positions[u]));
                 if length == 0.0 {
                     return Err(SpringError::ZeroLength { vertices });
                 }
-                let value = match stiffness {
-                    Stiffness::Same(k) => *k,
-                    Stiffness::OverLength(k) => k / length,
-                    Stiffness::Each(_) => along[u],
-                };
+                let value = stiffness.of(length, along[u]);
                 sum += value;
                 if !(value >= 0.0 && f64::is_finite(sum)) {
                     return Err(SpringError::Stiffness { vertices, value });
@@ -86,9 +80,4 @@ impl<V: Handle> Rows<V> {
             vector::plus(f, vector::times(k, vector::minus(displacement[u.index()], own)))
         })
     }
-}
-
-/// The least half-edge along the edge of `h`: the others of its fan are in ascending order.
-fn least<M: Incidence>(mesh: &M, h: M::HalfEdge) -> M::HalfEdge {
-    mesh.edge_fan(h).nth(1).map_or(h, |other| other.min(h))
 }

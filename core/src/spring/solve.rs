@@ -121,13 +121,7 @@ impl<M: Incidence> Simulation<'_, M> {
         let mut size: f64 =
             self.mesh.vertices().map(|v| vector::dot(left[v], preconditioned(&left, v))).sum();
         for iteration in 1..=max_iterations {
-            let mut curvature = 0.0;
-            for v in self.mesh.vertices().filter(|&v| moving[v]) {
-                let force = self.rows.force(v, self.rows.neighbours(v), direction.as_slice());
-                product[v] = vector::times(-1.0, force);
-                curvature += vector::dot(direction[v], product[v]);
-            }
-            let along = size / curvature;
+            let along = size / self.multiply(moving, &direction, &mut product);
             let (mut next, mut rest) = (0.0, 0.0);
             for v in self.mesh.vertices().filter(|&v| moving[v]) {
                 self.displacement[v] = vector::plus(self.displacement[v], vector::times(along, direction[v]));
@@ -147,6 +141,22 @@ impl<M: Incidence> Simulation<'_, M> {
             size = next;
         }
         max_iterations
+    }
+
+    /// The product of the matrix with a direction. Gives the dot product of both.
+    fn multiply(
+        &self,
+        moving: &Map<M::Vertex, bool>,
+        direction: &Map<M::Vertex, Vector>,
+        product: &mut Map<M::Vertex, Vector>,
+    ) -> f64 {
+        let mut curvature = 0.0;
+        for v in self.mesh.vertices().filter(|&v| moving[v]) {
+            let force = self.rows.force(v, self.rows.neighbours(v), direction.as_slice());
+            product[v] = vector::times(-1.0, force);
+            curvature += vector::dot(direction[v], product[v]);
+        }
+        curvature
     }
 
     /// Springs and loads on the vertices that are `moving`, zero on the others.

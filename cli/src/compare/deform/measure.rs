@@ -1,7 +1,7 @@
 //! One deformation in one structure.
 
 use super::record::Point;
-use crate::deform::{Load, farthest, sweep};
+use crate::deform::{Load, farthest, largest, sweep};
 use crate::on_backend::Work;
 use crate::timing::Clock;
 use onering::spring::{Options, SpringError};
@@ -59,8 +59,8 @@ impl Compared {
     /// In what it differs from the first structure, if in anything.
     pub(crate) fn mismatch(&self, first: &Self, name: &str, vertices: usize) -> Option<String> {
         let pairs = self.displacements.iter().zip(&first.displacements);
-        let difference = pairs.map(|(&a, &b)| vector::length(vector::minus(a, b))).fold(0.0, f64::max);
-        let largest = first.displacements.iter().map(|&d| vector::length(d)).fold(0.0, f64::max);
+        let difference = pairs.map(|(&a, &b)| vector::distance(a, b)).fold(0.0, f64::max);
+        let largest = largest(&first.displacements);
         let what = if self.sum != first.sum {
             "neighbours"
         } else if difference > SAME * largest {

@@ -7,7 +7,7 @@ mod sample;
 use super::graph;
 use crate::args::{self, GRAPH};
 use crate::failure::Failure;
-use crate::input;
+use crate::input::{self, Input};
 use crate::machine::Machine;
 use crate::made;
 use crate::on_backend::{self, Work};
@@ -20,7 +20,8 @@ use sample::Sample;
 use std::time::Duration;
 
 /// Measures, and gives what to print.
-pub(crate) fn text(options: &args::Query, mesh: &Triangles) -> Result<String, Failure> {
+pub(crate) fn text(options: &args::Query, input: &Input) -> Result<String, Failure> {
+    let Input { name, mesh, .. } = input;
     if mesh.faces.is_empty() {
         return Err(Failure::Output("the mesh has no faces to ask about".into()));
     }
@@ -29,7 +30,7 @@ pub(crate) fn text(options: &args::Query, mesh: &Triangles) -> Result<String, Fa
     let mut report = Report {
         version: env!("CARGO_PKG_VERSION"),
         machine: Machine::this(),
-        mesh: options.file.as_deref().map_or("terrain (made here)".into(), input::name_of),
+        mesh: name.clone(),
         vertices: mesh.positions.len(),
         triangles: mesh.faces.len(),
         queries: options.random,
@@ -52,9 +53,8 @@ pub(crate) fn text(options: &args::Query, mesh: &Triangles) -> Result<String, Fa
 
 /// The time to read the file, once more or several times; none where there is no file that can be read again.
 fn load(options: &args::Query, clock: Clock) -> Option<Timing> {
-    options.file.as_deref().filter(|file| !input::is_standard(file))?;
-    let file = options.mesh_file();
-    Some(clock.of_quadratic().time(|| on_backend::read(&file, made::terrain::mesh)))
+    options.mesh.file.as_deref().filter(|file| !input::is_standard(file))?;
+    Some(clock.of_quadratic().time(|| Input::read(&options.mesh, made::TERRAIN)))
 }
 
 /// Builds, and nothing else.
