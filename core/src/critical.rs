@@ -11,7 +11,8 @@
 //!
 //! Where no two neighbours have one value, both find the same minima and maxima. An isolated vertex is on no
 //! surface, and is neither.
-use crate::{Incidence, Map, NotFinite, not_finite, region, vector};
+use crate::normals::{self, Weight};
+use crate::{Incidence, Map, NotFinite, not_finite};
 use alloc::vec::Vec;
 
 mod link;
@@ -134,15 +135,8 @@ pub fn stalactite_tips<M: Incidence + ?Sized>(
 ) -> Result<Vec<M::Vertex>, NotFinite> {
     not_finite::positions(positions)?;
     let is_lowest = |v| mesh.neighbours(v).all(|u| positions[v][2] <= positions[u][2]);
-    let is_tip = |&v: &M::Vertex| is_lowest(v) && normal(mesh, positions, v)[2] < 0.0;
+    let normal = |v| normals::vertex_normal(mesh, positions, v, Weight::Area);
+    let faces_down = |v| normal(v).is_some_and(|normal| normal[2] < 0.0);
+    let is_tip = |&v: &M::Vertex| is_lowest(v) && faces_down(v);
     Ok(mesh.vertices().filter(is_tip).collect())
-}
-
-/// The sum of the normals of the faces of `v`, each twice as long as its area.
-fn normal<M: Incidence + ?Sized>(
-    mesh: &M,
-    positions: &Map<M::Vertex, [f32; 3]>,
-    v: M::Vertex,
-) -> vector::Vector {
-    mesh.star(v).map(|h| region::normal(mesh, positions, mesh.face(h))).fold([0.0; 3], vector::plus)
 }

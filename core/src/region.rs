@@ -1,5 +1,5 @@
 //! Regions: faces grown from a seed.
-use crate::{Adjacency, Handle, Map, Topology, vector, vector::Vector};
+use crate::{Adjacency, Handle, Map, Topology, triangle};
 use alloc::vec::Vec;
 
 mod stalactite;
@@ -37,7 +37,7 @@ impl<F: Handle, V: Handle> Region<F, V> {
     where
         M: Topology<Face = F, Vertex = V> + ?Sized,
     {
-        self.faces.iter().map(|&f| 0.5 * vector::length(normal(mesh, positions, f))).sum()
+        self.faces.iter().map(|&f| triangle::area(triangle::of(mesh, positions, f))).sum()
     }
 
     /// The least and the largest coordinates. Of a region without faces, infinity and minus infinity: a box
@@ -48,16 +48,6 @@ impl<F: Handle, V: Handle> Region<F, V> {
             [0, 1].map(|side| [0, 1, 2].map(|i| if side == 0 { min[i].min(p[i]) } else { max[i].max(p[i]) }))
         })
     }
-}
-
-/// The normal of `f`, twice as long as its area.
-pub(crate) fn normal<M: Topology + ?Sized>(
-    mesh: &M,
-    positions: &Map<M::Vertex, [f32; 3]>,
-    f: M::Face,
-) -> Vector {
-    let [a, b, c] = mesh.face_vertices(f).map(|v| vector::of(positions[v]));
-    vector::cross(vector::minus(b, a), vector::minus(c, a))
 }
 
 /// The faces that are reached from seeds across edges, as far as a predicate lets them.

@@ -1,6 +1,6 @@
 //! The faces of a stalactite, from one of its vertices.
-use super::{Region, grown, normal};
-use crate::{Incidence, Map, NotFinite, not_finite, vector};
+use super::{Region, grown};
+use crate::{Incidence, Map, NotFinite, not_finite, triangle, vector};
 use alloc::vec::Vec;
 
 /// What [`stalactite()`] takes for the flank of a stalactite.
@@ -78,7 +78,8 @@ pub fn stalactite<M: Incidence + ?Sized>(
     let tip = lowest_below(mesh, picked, z);
     let at_tip: Vec<M::Face> = mesh.star(tip).map(|h| mesh.face(h)).collect();
     let cosine = libm::cos(options.steep.to_radians());
-    let is_steep = |f| vector::direction(normal(mesh, positions, f)).map(|n| n[2].abs() <= cosine);
+    let normal = |f| vector::direction(triangle::normal(triangle::of(mesh, positions, f)));
+    let is_steep = |f| normal(f).map(|n| n[2].abs() <= cosine);
     let rises = |g| {
         let apex = z(mesh.origin(mesh.prev(g)));
         apex >= z(mesh.origin(g)) || apex >= z(mesh.target(g))
