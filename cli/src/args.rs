@@ -1,5 +1,6 @@
 //! What can be said on the command line.
 
+mod at;
 mod compare;
 mod contours;
 mod convert;
@@ -12,17 +13,18 @@ mod minima;
 mod query;
 mod region;
 
+pub(crate) use at::At;
 pub(crate) use compare::Compare;
 pub(crate) use contours::Contours;
 pub(crate) use convert::Convert;
-pub(crate) use deform::{At, Deform, Fix};
+pub(crate) use deform::{Deform, Fix};
 pub(crate) use formats::{is_written, written};
 pub(crate) use heights::Heights;
 pub(crate) use inspect::Inspect;
 pub(crate) use mesh_file::MeshFile;
 pub(crate) use minima::Minima;
 pub(crate) use query::{GRAPH, Query};
-pub(crate) use region::{Region, Seed};
+pub(crate) use region::Region;
 
 use crate::output::{self, Status};
 use clap::{CommandFactory, Parser, Subcommand};
@@ -98,8 +100,9 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Convert(convert) => convert.check(),
         Command::Compare(compare) => compare.check(),
         Command::Query(query) => query.check(),
-        Command::Contours(_) | Command::Minima(_) | Command::Region(_) => {}
+        Command::Region(region) => region.check(),
         Command::Deform(deform) => deform.check(),
+        Command::Contours(_) | Command::Minima(_) => {}
         Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))

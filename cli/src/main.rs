@@ -18,6 +18,7 @@ mod line_file;
 mod machine;
 mod made;
 mod minima;
+mod nearest;
 mod on_backend;
 mod output;
 mod picture;

@@ -32,6 +32,11 @@ pub(crate) fn searches(name: &str) -> bool {
     row.is_none_or(|backend| !backend.traits.contains(&"adjacency"))
 }
 
+/// Whose arrays go into a `.ring` file, for one of [`names`]: no structure at all has none.
+pub(crate) fn in_ring(name: &str) -> &str {
+    if name == SEARCHED { DEFAULT } else { name }
+}
+
 /// The mesh of the command line, welded and repaired where that is asked for; `made` where no file is named.
 pub(crate) fn read(options: &MeshFile, made: fn() -> Triangles) -> Result<Triangles, Failure> {
     read_with_format(options, made).map(|(mesh, _)| mesh)

@@ -1,7 +1,7 @@
 //! `onering deform`: what can be said of it.
 
-use super::{EXIT_CODES, MeshFile, fail, formats};
-use crate::input;
+use super::at::{number, parse_vector};
+use super::{At, EXIT_CODES, MeshFile, fail, formats};
 use onering::vector::{self, Vector};
 use onering_io::Format;
 use std::path::PathBuf;
@@ -94,33 +94,7 @@ impl Deform {
                 ));
             }
         }
-        if self.output.as_deref().is_some_and(input::is_standard) && self.to.is_none() {
-            fail(&format!(
-                "standard output has no name that tells its format: add --to; written are {}",
-                formats::written()
-            ));
-        }
-    }
-}
-
-/// Where to press.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum At {
-    Vertex(usize),
-    /// The vertex nearest to it.
-    Point(Vector),
-}
-
-impl FromStr for At {
-    type Err = String;
-
-    fn from_str(word: &str) -> Result<Self, String> {
-        if word.contains(',') {
-            return parse_vector(word).map(Self::Point);
-        }
-        word.parse()
-            .map(Self::Vertex)
-            .map_err(|_| "neither the number of a vertex nor three coordinates".into())
+        formats::check_output(self.output.as_deref(), self.to);
     }
 }
 
@@ -169,17 +143,6 @@ impl FromStr for Fix {
     }
 }
 
-fn number(word: &str) -> Result<f64, String> {
-    let number = word.trim().parse::<f64>().ok().filter(|number| number.is_finite());
-    number.ok_or_else(|| format!("'{word}' is no finite number"))
-}
-
-/// Three finite numbers with commas between.
-fn parse_vector(word: &str) -> Result<Vector, String> {
-    let numbers: Vec<f64> = word.split(',').map(number).collect::<Result<_, _>>()?;
-    numbers.try_into().map_err(|_| "three numbers are needed, as in 0,0,-1".into())
-}
-
 fn out_help() -> String {
     format!(
         "Write the deformed mesh, where OUT can hold it with the length of each vertex's displacement: {}; `-` is \
@@ -213,12 +176,5 @@ mod tests {
         ] {
             assert!(fix(word).is_err(), "{word}");
         }
-    }
-
-    #[test]
-    fn a_place_is_a_vertex_or_a_point() {
-        let at = |word: &str| word.parse::<At>();
-        assert_eq!((at("12"), at("1,-2.5,3e2")), (Ok(At::Vertex(12)), Ok(At::Point([1.0, -2.5, 300.0]))));
-        assert!(["-1", "1,2", "1,2,nan", "1,2,inf", "x"].iter().all(|word| at(word).is_err()));
     }
 }

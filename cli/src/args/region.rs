@@ -1,9 +1,9 @@
 //! `onering region`: what can be said of it.
 
-use super::{EXIT_CODES, MeshFile};
+use super::{At, EXIT_CODES, MeshFile, formats};
 use crate::up::Up;
+use onering_io::Format;
 use std::path::PathBuf;
-use std::str::FromStr;
 
 /// Cut the stalactite out of a cave that a point is on
 ///
@@ -16,7 +16,7 @@ pub(crate) struct Region {
     /// A vertex, counted from 0, or a point: that means the vertex nearest to it [default: the lowest tip that there is,
     /// else the lowest vertex]
     #[arg(long, value_name = "VERTEX|X,Y,Z", allow_hyphen_values = true)]
-    pub(crate) at: Option<Seed>,
+    pub(crate) at: Option<At>,
     /// The angle with the horizontal from which on a face is steep, and so may be part of a stalactite
     #[arg(long, value_name = "DEGREES", default_value_t = 45.0, value_parser = angle)]
     pub(crate) steep: f64,
@@ -29,27 +29,21 @@ pub(crate) struct Region {
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,
-    /// Write the region to this file, as a mesh of its own, in the format that its name tells
-    #[arg(long, short, value_name = "FILE")]
+    #[arg(long, short, value_name = "OUT", help = out_help())]
     pub(crate) output: Option<PathBuf>,
+    /// The format of OUT, whatever its name
+    #[arg(long, value_name = "FORMAT", ignore_case = true, value_parser = formats::parse_written(), requires = "output")]
+    pub(crate) to: Option<Format>,
 }
 
-/// Where a region starts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Seed {
-    Vertex(usize),
-    Point([f32; 3]),
-}
-
-impl FromStr for Seed {
-    type Err = &'static str;
-
-    fn from_str(words: &str) -> Result<Self, Self::Err> {
-        let coordinate = |word: &str| word.trim().parse().ok().filter(|value: &f32| value.is_finite());
-        let point = || words.split(',').map(coordinate).collect::<Option<Vec<f32>>>()?.try_into().ok();
-        let vertex = words.parse().map(Self::Vertex).ok();
-        vertex.or_else(|| point().map(Self::Point)).ok_or("neither the number of a vertex nor a point x,y,z")
+impl Region {
+    pub(super) fn check(&self) {
+        formats::check_output(self.output.as_deref(), self.to);
     }
+}
+
+fn out_help() -> String {
+    format!("Write the region as a mesh of its own: {}; `-` is standard output", formats::written())
 }
 
 fn angle(word: &str) -> Result<f64, &'static str> {

@@ -2,8 +2,8 @@
 
 use crate::args::At;
 use crate::failure::Failure;
+use crate::nearest::nearest;
 use onering::vector::{self, Vector};
-use onering::{Handle, Map, VertexId, nearest};
 use onering_io::Triangles;
 
 /// To the left, top and front: where a made organ is thick, and the light of the picture comes from.
@@ -25,10 +25,6 @@ pub(crate) fn check(name: &str, mesh: &Triangles) -> Result<(), Failure> {
 pub(crate) fn of(at: Option<At>, mesh: &Triangles) -> Result<usize, Failure> {
     let count = mesh.positions.len();
     let along = |v: u32| vector::dot(vector::of(mesh.positions[v as usize]), LEFT_TOP_FRONT);
-    let nearest = |point| {
-        let positions: Map<VertexId, _> = mesh.positions.clone().into();
-        nearest::nearest_vertex(&positions, point).map(Handle::index)
-    };
     let found = match at {
         Some(At::Vertex(v)) if v < count => Some(v),
         Some(At::Vertex(v)) => {
@@ -36,7 +32,7 @@ pub(crate) fn of(at: Option<At>, mesh: &Triangles) -> Result<usize, Failure> {
                 "--at {v}: there is no vertex {v}: there are {count}, from 0"
             )));
         }
-        Some(At::Point(point)) => nearest(point),
+        Some(At::Point(point)) => nearest(mesh, point),
         // Of vertices in faces: others could not be pressed.
         None => mesh
             .faces
@@ -47,16 +43,6 @@ pub(crate) fn of(at: Option<At>, mesh: &Triangles) -> Result<usize, Failure> {
             .map(|v| v as usize),
     };
     found.ok_or_else(|| Failure::Usage("--at: no vertex is near this point, which is too far away".into()))
-}
-
-/// The direction out of the surface at the vertex; `None` where its faces have none. O(faces).
-pub(crate) fn normal(mesh: &Triangles, at: usize) -> Option<Vector> {
-    let around = mesh.faces.iter().filter(|face| face.contains(&(at as u32)));
-    let area = |face: &[u32; 3]| {
-        let [a, b, c] = face.map(|v| vector::of(mesh.positions[v as usize]));
-        vector::cross(vector::minus(b, a), vector::minus(c, a))
-    };
-    vector::direction(around.map(area).fold([0.0; 3], vector::plus))
 }
 
 #[cfg(test)]
@@ -72,7 +58,6 @@ mod tests {
         let v = of(None, &mesh).unwrap();
         let along = |p: &[f32; 3]| vector::dot(vector::of(*p), LEFT_TOP_FRONT);
         assert!(mesh.positions.iter().all(|p| along(p) <= along(&mesh.positions[v])));
-        assert!(vector::dot(normal(&mesh, v).unwrap(), LEFT_TOP_FRONT) > 0.0);
         assert!(of(Some(At::Vertex(mesh.positions.len())), &mesh).is_err());
     }
 }

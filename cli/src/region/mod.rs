@@ -2,14 +2,17 @@
 
 mod report;
 
-use crate::args::Seed;
+use crate::args::At;
+use crate::convert::Target;
 use crate::failure::Failure;
+use crate::nearest::nearest;
 use crate::output::{self, Status};
 use crate::surface::{self, Surface};
-use crate::{args, on_backend};
+use crate::{args, input, on_backend};
 use onering::region::{Region, StalactiteOptions, stalactite};
-use onering::{Handle, Incidence, Map, NotFinite, critical, vector};
-use onering_io::{Triangles, save};
+use onering::submesh::submesh;
+use onering::{Handle, Incidence, Map, NotFinite, critical};
+use onering_io::{MeshRef, Triangles};
 use report::Report;
 use std::io;
 use std::time::Instant;
@@ -17,6 +20,11 @@ use std::time::Instant;
 /// Finds the region of one mesh.
 pub(crate) fn run(options: &args::Region) -> io::Result<Status> {
     match region(options) {
+        // Where the mesh went to standard output, no words go there.
+        Ok(text) if options.output.as_deref().is_some_and(input::is_standard) => {
+            output::tell(&text);
+            Ok(Status::Done)
+        }
         Ok(text) => output::print(&text).map(|()| Status::Done),
         Err(failure) => failure.end(),
     }
@@ -24,12 +32,15 @@ pub(crate) fn run(options: &args::Region) -> io::Result<Status> {
 
 /// What is to be printed. A file is written before: nothing is said of one that could not be.
 fn region(options: &args::Region) -> Result<String, Failure> {
+    let in_ring = on_backend::in_ring(&options.mesh.backend);
+    let target = options.output.as_deref().map(|output| Target::new(output, options.to, in_ring, false));
+    let target = target.transpose()?;
     let surface = &Surface::read(&options.mesh, surface::ROOF, options.up, options.unit.as_deref())?;
     let seed = options.at.map(|at| seed(surface, at)).transpose()?;
     let work = Work { surface, seed, options: StalactiteOptions { steep: options.steep } };
     let found = on_backend::run(&options.mesh.backend, &surface.mesh, work)??;
-    if let Some(path) = &options.output {
-        save(path, &found.part).map_err(|error| Failure::Output(error.to_string()))?;
+    if let Some(target) = &target {
+        target.write(MeshRef::from(&found.part))?;
     }
     let report = Report::new(&options.mesh.backend, surface, &found);
     if options.json {
@@ -40,26 +51,19 @@ fn region(options: &args::Region) -> Result<String, Failure> {
 }
 
 /// The vertex that is meant.
-fn seed(surface: &Surface, at: Seed) -> Result<usize, Failure> {
+fn seed(surface: &Surface, at: At) -> Result<usize, Failure> {
     let count = surface.mesh.positions.len();
     match at {
-        Seed::Vertex(v) if v < count => Ok(v),
-        Seed::Vertex(v) => {
+        At::Vertex(v) if v < count => Ok(v),
+        At::Vertex(v) => {
             let problem = format!("there is no vertex {v}: there are {count}, counted from 0");
             Err(Failure::Usage(format!("{}: {problem}", surface.name)))
         }
-        Seed::Point(point) => nearest(surface, point).ok_or_else(|| nothing(surface)),
+        At::Point(_) if surface.mesh.faces.is_empty() => Err(nothing(surface)),
+        At::Point(point) => nearest(&surface.mesh, point).ok_or_else(|| {
+            Failure::Usage("--at: no vertex is near this point, which is too far away".into())
+        }),
     }
-}
-
-/// The vertex nearest to the point, of those that faces have: nobody means one that is on no surface. Linear.
-fn nearest(surface: &Surface, point: [f32; 3]) -> Option<usize> {
-    let distance = |&v: &u32| {
-        let offset = vector::minus(vector::of(surface.mesh.positions[v as usize]), vector::of(point));
-        vector::dot(offset, offset)
-    };
-    let corners = surface.mesh.faces.as_flattened().iter();
-    corners.min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|&v| v as usize)
 }
 
 fn nothing(surface: &Surface) -> Failure {
@@ -103,7 +107,7 @@ impl on_backend::Work for Work<'_> {
         }
         Ok(Found {
             seed: seed.index(),
-            part: part(mesh, &region, &positions),
+            part: part(mesh, &region, &surface.mesh.positions),
             area: region.area(mesh, &positions),
             bounds: region.bounding_box(&positions),
             seconds,
@@ -119,12 +123,7 @@ fn lowest<M: Incidence>(mesh: &M, turned: &Map<M::Vertex, [f32; 3]>) -> Result<O
 }
 
 /// The faces of the region as a mesh of their own.
-fn part<M: Incidence>(
-    mesh: &M,
-    region: &Region<M::Face, M::Vertex>,
-    positions: &Map<M::Vertex, [f32; 3]>,
-) -> Triangles {
-    let number = |v| region.vertices().partition_point(|&other| other < v) as u32;
-    let faces = region.faces().iter().map(|&f| mesh.face_vertices(f).map(number)).collect();
-    Triangles::new(region.vertices().iter().map(|&v| positions[v]).collect(), faces)
+fn part<M: Incidence>(mesh: &M, region: &Region<M::Face, M::Vertex>, positions: &[[f32; 3]]) -> Triangles {
+    let part = submesh(mesh, region.faces().iter().copied());
+    Triangles::new(part.carry_vertices(positions), part.faces)
 }
