@@ -1,8 +1,7 @@
 //! The colour of what is seen.
 
 use super::Surface;
-use onering::normals::Weight;
-use onering::normals::{face_normal, vertex_normals};
+use onering::normals::{Weight, face_normal, vertex_normals};
 use onering::vector::{self, Vector};
 use onering::{BuildError, FaceId, FromFaces, Handle, Map, SharedVertex, Topology, VertexId};
 use onering_io::colour::{Rgb, linear_table, viridis};
