@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let height: Map<_, f32> = positions.as_slice().iter().map(|p| p[2]).collect();
     let [low, high] = height.as_slice().iter().fold([f32::MAX, f32::MIN], |[a, b], &z| [a.min(z), b.max(z)]);
-    let levels = contours::levels((high - low) / 10.0, low, high);
+    let levels = contours::levels(f64::from(high - low) / 10.0, low, high);
     let lines = contours::contours(&mesh, &height, &levels)?;
     println!("height  lines  closed  length");
     for level in levels {

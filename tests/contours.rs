@@ -309,10 +309,16 @@ fn equidistant_levels() {
     assert_eq!(contours::levels(2.0, -4.0, 3.0), [-4.0, -2.0, 0.0, 2.0]);
     assert_eq!(contours::levels(2.0, 0.5, 1.5), [0.0; 0]);
     assert_eq!(contours::levels(1.0, 2.0, -2.0), [0.0; 0]);
-    for step in [0.0, -1.0, f32::NAN, f32::INFINITY, f32::MIN_POSITIVE] {
+    for step in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-40, f64::from_bits(1)] {
         assert_eq!(contours::levels(step, 0.0, 1.0), [0.0; 0], "{step}");
     }
     assert_eq!(contours::levels(1.0, f32::NEG_INFINITY, 0.0), [0.0; 0]);
+    assert_eq!(contours::levels(1.0, 0.0, f32::NAN), [0.0; 0]);
+    // Neither 0.1 nor its multiples are numbers of 32 or 64 bits: the ends are in the range all the same.
+    assert_eq!(contours::levels(0.1, 0.1, 0.7), [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]);
+    assert_eq!(contours::levels(0.1, -0.7, -0.3), [-0.7, -0.6, -0.5, -0.4, -0.3]);
+    assert_eq!(contours::levels(0.05, 0.0, 1.0).last(), Some(&1.0));
+    assert_eq!(contours::levels(1e-9, 1e30, 1e30), [1e30]);
     let close = contours::levels(1.0, 33_554_432.0, 33_554_440.0);
     assert!(close.is_sorted_by(|a, b| a < b), "multiples that are the same number are one level: {close:?}");
 }

@@ -98,8 +98,9 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Convert(convert) => convert.check(),
         Command::Compare(compare) => compare.check(),
         Command::Query(query) => query.check(),
-        Command::Contours(_) | Command::Minima(_) | Command::Region(_) => {}
+        Command::Region(region) => region.check(),
         Command::Deform(deform) => deform.check(),
+        Command::Contours(_) | Command::Minima(_) => {}
         Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))

@@ -53,19 +53,11 @@ impl Levels {
         if step > 0.0 { Self::every(step, [least, most]) } else { Self::default() }
     }
 
-    /// The multiples of `step`; each fifth multiple is an index. As `onering::contours::levels`, but with a step in 64
-    /// bits: 20 times 0.05 is 1 then, and 3 times 0.1 the `f32` nearest to 0.3.
+    /// The multiples of `step`; each fifth multiple is an index.
     fn every(step: f64, [least, most]: [f32; 2]) -> Self {
-        let [first, last] = [(f64::from(least) / step).ceil(), (f64::from(most) / step).floor()];
-        // Beyond 2^53 one more is the same number again.
-        let multiples =
-            (0..=MOST as u32).map(|i| first + f64::from(i)).take_while(|multiple| *multiple <= last);
-        let level = |multiple: f64| Level {
-            height: (multiple * step) as f32,
-            is_index: multiple % INDEX as f64 == 0.0,
-        };
-        let mut all: Vec<Level> = multiples.map(level).collect();
-        all.dedup_by_key(|level| level.height);
+        let is_index = |height: f32| (f64::from(height) / step).round() % INDEX as f64 == 0.0;
+        let heights = onering::contours::levels(step, least, most).into_iter();
+        let all = heights.map(|height| Level { height, is_index: is_index(height) }).collect();
         Self { all, step: Some(step) }
     }
 

@@ -15,6 +15,7 @@ mod heap;
 mod input;
 mod inspect;
 mod level;
+mod line_file;
 mod machine;
 mod made;
 mod minima;

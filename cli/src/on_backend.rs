@@ -29,6 +29,11 @@ pub(crate) fn searches(name: &str) -> bool {
     row.is_none_or(|backend| !backend.traits.contains(&"adjacency"))
 }
 
+/// Whose arrays go into a `.ring` file, for one of [`names`]: no structure at all has none.
+pub(crate) fn in_ring(name: &str) -> &str {
+    if name == SEARCHED { DEFAULT } else { name }
+}
+
 /// Builds the structure of this name, which is one of [`names`], and does the work on it. What a structure lacks is
 /// added: a table of where to start around vertices, or a search.
 pub(crate) fn run<W: Work>(name: &str, mesh: &Triangles, work: W) -> Result<W::Output, Failure> {

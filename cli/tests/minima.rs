@@ -162,10 +162,11 @@ fn failures_are_a_line_and_leave_nothing() {
         "{run:?}"
     );
     fs::write(&file, strip(&W)).unwrap();
-    for (option, name) in [("--points", "none/out.ply"), ("--points", "out.glb"), ("--svg", "none/out.svg")] {
+    let cases = [("--points", "none/out.ply", 1), ("--points", "out.glb", 2), ("--svg", "none/out.svg", 1)];
+    for (option, name, code) in cases {
         let out = file.with_file_name(name);
         let run = minima(&file, &[option, out.to_str().unwrap()]);
-        assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (Some(1), "", 1), "{run:?}");
+        assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (Some(code), "", 1), "{run:?}");
         assert_eq!(fs::read_dir(file.parent().unwrap()).unwrap().count(), 1, "{run:?}");
     }
     assert_eq!(minima(&file, &["--stalactites", "--field", "x"]).code, Some(2));

@@ -74,6 +74,15 @@ fn the_region_is_written_as_a_mesh() {
 }
 
 #[test]
+fn the_region_goes_to_standard_output_with_words_beside() {
+    let (run, out) = onering_with_input(["region", "-", "-o", "-", "--to", "obj"], TIP.as_bytes());
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert!(run.err.contains("triangles  4"), "{run:?}");
+    let part = onering_io::read(&out).unwrap();
+    assert_eq!((part.positions.len(), part.faces.len()), (5, 4));
+}
+
+#[test]
 fn up_and_the_angle_can_be_said() {
     let lying = TIP.lines().map(|line| match line.split(' ').collect::<Vec<_>>()[..] {
         ["v", x, y, z] => format!("v {x} {z} -{y}\n").replace("--", ""),
@@ -112,13 +121,15 @@ fn standard_input_is_read() {
 fn failures_are_a_line_and_leave_nothing() {
     let file = fresh("failures", "tip.obj", TIP);
     let folder = file.parent().unwrap();
-    let cases: [(&[&str], i32, &str); 6] = [
+    let cases: [(&[&str], i32, &str); 8] = [
         (&["--at", "7"], 2, "there is no vertex 7: there are 7, counted from 0"),
         (&["--at", "18446744073709551615"], 2, "there is no vertex"),
+        (&["--at", "1e300,0,0"], 2, "too far away"),
+        (&["-o", "-"], 2, "add --to"),
         (&["--at", "6"], 1, "no face has vertex 6"),
         (&["-o", "none/part.ply"], 1, "none/part.ply"),
-        (&["-o", "part.xyz"], 1, "not a known mesh format"),
-        (&["-o", "part.x3d"], 1, "is read, but not written"),
+        (&["-o", "part.xyz"], 2, "its name tells no format that is written"),
+        (&["-o", "part.x3d"], 2, "is read, but not written"),
     ];
     for (more, code, words) in cases {
         let run = region(&file, more);

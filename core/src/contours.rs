@@ -111,12 +111,13 @@ impl<H: Handle> Crossing<H> {
 /// Equidistant levels: the multiples of `step` from `min` to `max`, both included.
 ///
 /// # Arguments
-/// The step in the unit of the field, and the range of the field or a part of it.
+/// The step in the unit of the field, and the range of the field or a part of it. The step has 64 bits, so that 3 times
+/// 0.1 is the `f32` nearest to 0.3.
 ///
 /// # Returns
-/// The levels, ascending, each once: multiples that are the same `f32` are one level. None where `step` is not
-/// positive, where one of the three is not finite, or where the multiples would be more than 16,777,216, as
-/// many as an `f32` tells apart at its precision.
+/// The multiples as the nearest `f32`, ascending, each once: multiples that are the same `f32` are one level. None
+/// where `step` is not positive, where one of the three is not finite, or where the multiples would be more than
+/// 16,777,216, as many as an `f32` tells apart at its precision.
 ///
 /// # Complexity
 /// O(levels).
@@ -125,14 +126,19 @@ impl<H: Handle> Crossing<H> {
 /// ```
 /// use onering_core::contours;
 /// assert_eq!(contours::levels(0.5, -0.7, 1.0), [-0.5, 0.0, 0.5, 1.0]);
+/// assert_eq!(contours::levels(0.1, 0.3, 0.7), [0.3, 0.4, 0.5, 0.6, 0.7]);
 /// ```
-pub fn levels(step: f32, min: f32, max: f32) -> Vec<f32> {
-    let [step, min, max] = [step, min, max].map(f64::from);
-    let [first, last] = [libm::ceil(min / step), libm::floor(max / step)];
-    let is_possible =
-        step > 0.0 && [step, min, max].iter().all(|x| x.is_finite()) && last - first < MOST_LEVELS;
+///
+/// # Source
+/// Figueiredo et al. (2014), section 6.3: a "predefined equidistant between consecutive lines".
+pub fn levels(step: f64, min: f32, max: f32) -> Vec<f32> {
+    let range = min..=max;
+    // One more at each end: its `f32` can be the end of the range, beside which its `f64` is.
+    let [first, last] = [libm::floor(f64::from(min) / step), libm::ceil(f64::from(max) / step)];
+    let is_possible = step > 0.0 && step.is_finite() && last - first <= MOST_LEVELS;
     let count = if is_possible && first <= last { (last - first) as usize + 1 } else { 0 };
-    let mut levels: Vec<f32> = (0..count).map(|i| ((first + i as f64) * step) as f32).collect();
+    let multiples = (0..count).map(|i| ((first + i as f64) * step) as f32);
+    let mut levels: Vec<f32> = multiples.filter(|level| range.contains(level)).collect();
     levels.dedup();
     levels
 }

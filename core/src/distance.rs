@@ -213,6 +213,9 @@ impl<V: Handle> Dijkstra<V> {
 /// let positions: Map<VertexId, _> = vec![[0.0, 0.0, 1.0], [3.0, 4.0, 1.0]].into();
 /// assert_eq!(distance::straight(&positions)(VertexId::new(0), VertexId::new(1)), 5.0);
 /// ```
+///
+/// # Source
+/// Standard.
 pub fn straight<V: Handle>(positions: &Map<V, [f32; 3]>) -> impl Fn(V, V) -> f64 {
     |u, v| vector::distance(vector::of(positions[u]), vector::of(positions[v]))
 }

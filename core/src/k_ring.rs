@@ -118,9 +118,21 @@ impl<V: Handle> Default for KRing<V> {
     }
 }
 
-/// The levels around `v` up to level `levels`. O(vertices), for the scratch: keep a [`KRing`] to ask for many.
-/// Panics where `v` is out of range.
+/// The levels around one vertex.
 ///
+/// # Arguments
+/// Any graph or mesh, a vertex of it, and the last level: 1 is that of its neighbours.
+///
+/// # Returns
+/// The vertices of each level, those at that distance along edges.
+///
+/// # Complexity
+/// O(vertices), for the scratch: keep a [`KRing`] to ask for many.
+///
+/// # Panics
+/// Where `v` is out of range.
+///
+/// # Example
 /// ```
 /// # use onering::CheL2 as Mesh;
 /// use onering_core::{FromFaces, Handle, VertexId, k_ring};
@@ -129,6 +141,9 @@ impl<V: Handle> Default for KRing<V> {
 /// assert_eq!(format!("{:?} {:?}", ring.level(1), ring.level(2)), "[v1, v2] [v3, v4]");
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Source
+/// The rings of Biscaro et al. (2016), section 2.
 pub fn k_ring<G: Neighbours + ?Sized>(graph: &G, v: G::Node, levels: usize) -> KRing<G::Node> {
     let mut ring = KRing::new();
     ring.search(graph, v, levels);

@@ -29,6 +29,9 @@ use crate::{
 /// assert_eq!(measure::face_area(&mesh, &positions, FaceId::new(0)), 6.0);
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Source
+/// Standard.
 pub fn face_area<M: Topology + ?Sized>(mesh: &M, positions: &Map<M::Vertex, [f32; 3]>, f: M::Face) -> f64 {
     triangle::area(triangle::of(mesh, positions, f))
 }
@@ -59,6 +62,9 @@ pub fn face_area<M: Topology + ?Sized>(mesh: &M, positions: &Map<M::Vertex, [f32
 /// assert_eq!(measure::area(&square, &positions), Ok(4.0));
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Source
+/// Standard.
 pub fn area<M: Topology + ?Sized>(mesh: &M, positions: &Map<M::Vertex, [f32; 3]>) -> Result<f64, NotFinite> {
     not_finite::positions(positions)?;
     Ok(mesh.faces().map(|f| face_area(mesh, positions, f)).sum())
@@ -142,6 +148,9 @@ pub fn signed_volume<M: Topology + ?Sized>(
 /// assert_eq!(measure::centroid(&mesh, &positions), Ok(Some([1.0, 2.0, 1.0])));
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Source
+/// Standard.
 pub fn centroid<M: Topology + ?Sized>(
     mesh: &M,
     positions: &Map<M::Vertex, [f32; 3]>,
@@ -177,6 +186,9 @@ pub fn centroid<M: Topology + ?Sized>(
 /// let positions: Map<VertexId, _> = vec![[0.0, 5.0, 1.0], [3.0, 4.0, 1.0]].into();
 /// assert_eq!(measure::bounding_box(&positions), Ok(Some([[0.0, 4.0, 1.0], [3.0, 5.0, 1.0]])));
 /// ```
+///
+/// # Source
+/// Standard.
 pub fn bounding_box<V: Handle>(positions: &Map<V, [f32; 3]>) -> Result<Option<[[f32; 3]; 2]>, NotFinite> {
     not_finite::positions(positions)?;
     let Some(&first) = positions.as_slice().first() else { return Ok(None) };
@@ -209,6 +221,9 @@ pub fn bounding_box<V: Handle>(positions: &Map<V, [f32; 3]>) -> Result<Option<[[
 /// assert_eq!(measure::edge_length(&mesh, &positions, HalfEdgeId::new(1)), 5.0);
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Source
+/// Standard.
 pub fn edge_length<M: Topology + ?Sized>(
     mesh: &M,
     positions: &Map<M::Vertex, [f32; 3]>,
@@ -244,6 +259,9 @@ pub fn edge_length<M: Topology + ?Sized>(
 /// assert_eq!(measure::mean_edge_length(&mesh, &positions), Ok(Some(4.0)));
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Source
+/// Standard.
 pub fn mean_edge_length<M: Adjacency + ?Sized>(
     mesh: &M,
     positions: &Map<M::Vertex, [f32; 3]>,

@@ -59,6 +59,9 @@ impl Weight {
 /// assert_eq!(normals::face_normal(&mesh, &positions, FaceId::new(0)), Some([0.0, 0.0, 1.0]));
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Source
+/// Standard.
 pub fn face_normal<M: Topology + ?Sized>(
     mesh: &M,
     positions: &Map<M::Vertex, [f32; 3]>,

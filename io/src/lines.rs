@@ -95,6 +95,17 @@ impl Lines {
         })
     }
 
+    /// The format in which [`save`](Self::save) writes lines to `path`: to know it before there are any.
+    ///
+    /// # Errors
+    /// [`Error::UnknownFormat`] for the extension, [`Error::NoLines`] for a format other than OBJ and PLY.
+    pub fn format_of(path: impl AsRef<Path>) -> Result<Format, Error> {
+        let path = path.as_ref();
+        let format =
+            Format::of_extension(path).ok_or(Error::UnknownFormat { path: Some(path.to_owned()) })?;
+        writer(format).map(|_| format).map_err(|error| error.in_file(path))
+    }
+
     /// Writes them to the file at `path`, in the format that its extension names; with `.gz` behind it, packed with
     /// gzip. The file appears whole or not at all: see [`Replacement`](crate::Replacement).
     ///
@@ -103,12 +114,9 @@ impl Lines {
     /// [`Error::Malformed`] for more points than a file can name, [`Error::Write`] where the system refuses.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), Error> {
         let path = path.as_ref();
-        let format =
-            Format::of_extension(path).ok_or(Error::UnknownFormat { path: Some(path.to_owned()) })?;
         // Before a file is opened: a format without lines is no reason to touch one.
-        writer(format)
-            .and_then(|_| save_with(path, |file| self.write(file, format)))
-            .map_err(|error| error.in_file(path))
+        let format = Self::format_of(path)?;
+        save_with(path, |file| self.write(file, format)).map_err(|error| error.in_file(path))
     }
 
     /// Writes them to `out`, through a buffer.

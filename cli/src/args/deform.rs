@@ -2,7 +2,6 @@
 
 use super::{EXIT_CODES, MeshFile, Structure, fail, formats};
 use crate::at::{At, parse_number, parse_vector};
-use crate::input;
 use onering::vector::{self, Vector};
 use onering_io::Format;
 use std::path::PathBuf;
@@ -97,12 +96,7 @@ impl Deform {
                 ));
             }
         }
-        if self.output.as_deref().is_some_and(input::is_standard) && self.to.is_none() {
-            fail(&format!(
-                "standard output has no name that tells its format: add --to; written are {}",
-                formats::written()
-            ));
-        }
+        formats::check_output(self.output.as_deref(), self.to);
     }
 }
 

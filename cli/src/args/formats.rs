@@ -1,7 +1,10 @@
 //! The names of formats, as words on the command line and in the help.
 
+use super::fail;
+use crate::input;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use onering_io::Format;
+use std::path::Path;
 
 /// `.obj, .gltf, .glb`: how the names of files end that can be read.
 pub(super) fn read() -> String {
@@ -26,6 +29,16 @@ pub(super) fn parse_read() -> impl TypedValueParser<Value = Format> {
 /// A format that is written, as an argument.
 pub(super) fn parse_written() -> impl TypedValueParser<Value = Format> {
     parser(is_written)
+}
+
+/// Refuses standard output without a format.
+pub(super) fn check_output(output: Option<&Path>, to: Option<Format>) {
+    if output.is_some_and(input::is_standard) && to.is_none() {
+        fail(&format!(
+            "standard output has no name that tells its format: add --to; written are {}",
+            written()
+        ));
+    }
 }
 
 fn names(which: fn(Format) -> bool) -> impl Iterator<Item = &'static str> {

@@ -1,8 +1,9 @@
 //! `onering region`: what can be said of it.
 
-use super::{EXIT_CODES, MeshFile, Structure};
+use super::{EXIT_CODES, MeshFile, Structure, formats};
 use crate::at::At;
 use crate::up::Up;
+use onering_io::Format;
 use std::path::PathBuf;
 
 /// Cut the stalactite out of a cave that a point is on
@@ -31,9 +32,21 @@ pub(crate) struct Region {
     /// Print one JSON object
     #[arg(long)]
     pub(crate) json: bool,
-    /// Write the region to this file, as a mesh of its own, in the format that its name tells
-    #[arg(long, short, value_name = "FILE")]
+    #[arg(long, short, value_name = "OUT", help = out_help())]
     pub(crate) output: Option<PathBuf>,
+    /// The format of OUT, whatever its name
+    #[arg(long, value_name = "FORMAT", ignore_case = true, value_parser = formats::parse_written(), requires = "output")]
+    pub(crate) to: Option<Format>,
+}
+
+impl Region {
+    pub(super) fn check(&self) {
+        formats::check_output(self.output.as_deref(), self.to);
+    }
+}
+
+fn out_help() -> String {
+    format!("Write the region as a mesh of its own: {}; `-` is standard output", formats::written())
 }
 
 fn angle(word: &str) -> Result<f64, &'static str> {

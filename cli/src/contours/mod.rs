@@ -12,7 +12,7 @@ use crate::minima::Extrema;
 use crate::output::{self, Status};
 use crate::surface::Surface;
 use crate::svg_map::{self, Map};
-use crate::{args, on_backend};
+use crate::{args, line_file, on_backend};
 use onering::Incidence;
 use report::Report;
 use std::io;
@@ -27,13 +27,14 @@ pub(crate) fn run(options: &args::Contours) -> io::Result<Status> {
 
 /// What is to be printed. Files are written before: nothing is said of one that could not be.
 fn contours(options: &args::Contours) -> Result<String, Failure> {
+    line_file::check_name(options.lines.as_deref())?;
     let surface = &Surface::with_field(&options.mesh, made::TERRAIN, &options.heights)?;
     let levels = &Levels::of(options, surface.range()).map_err(Failure::Usage)?;
     check_size(surface, levels)?;
     let work = Work { surface, levels, minima: options.minima };
     let (traced, extrema) = on_backend::run(&options.structure.backend, &surface.mesh, work)??;
     if let Some(path) = &options.lines {
-        traced.lines.save(path).map_err(|error| Failure::Output(error.to_string()))?;
+        line_file::save(&traced.lines, path)?;
     }
     if let Some(path) = &options.svg {
         svg_map::save(path, &Map { surface, levels, lines: &traced.lines, extrema: &extrema })?;

@@ -38,9 +38,10 @@ pub(crate) fn run(options: &args::Deform) -> io::Result<Status> {
 
 /// All that can be known to fail before the work fails before the work.
 fn deform(options: &args::Deform) -> Result<String, Failure> {
-    let target =
-        options.output.as_deref().map(|output| Target::new(output, options.to, ring(options), false));
+    let in_ring = on_backend::in_ring(&options.structure.backend);
+    let target = options.output.as_deref().map(|output| Target::new(output, options.to, in_ring, false));
     let target = target.transpose()?;
+    let view = show::view(options)?;
     let png = options.png.as_deref().map(|path| {
         let name = path.display().to_string();
         let opened = Replacement::create(path);
@@ -51,9 +52,7 @@ fn deform(options: &args::Deform) -> Result<String, Failure> {
     let Input { name, mesh, .. } = progress.step("reading", || Input::read(&options.mesh, made::ORGAN))?;
     place::check(&name, &mesh)?;
     let at = options.at.map_or_else(|| Ok(place::usual(&mesh)), |at| at.vertex(&name, &mesh))?;
-    let normal = place::normal(&mesh, at);
-    let axes = png.is_some().then(|| show::axes(options, normal)).transpose()?;
-    let press = Press::of(options, &mesh, at, normal);
+    let press = Press::of(options, &mesh, at);
     let pressed = progress.step("pressing", || {
         let pressed = on_backend::run(&options.structure.backend, &mesh, press)?;
         pressed.map_err(|error| failed(&name, &error))
@@ -63,19 +62,12 @@ fn deform(options: &args::Deform) -> Result<String, Failure> {
         progress.step("writing", || write(&mesh, &pressed, target))?;
         report.wrote(target.name(), Holds::of(target.format()).attributes);
     }
-    if let (Some((file, name)), Some(axes)) = (png, axes) {
+    if let Some((file, name)) = png {
+        let axes = view.unwrap_or_else(|| show::beside(options.up, pressed.normal));
         progress.step("drawing", || show::draw(options, &mesh, &pressed, &axes, file, &name))?;
         report.drew(name);
     }
     Ok(if options.json { report.json() } else { report.to_string() })
-}
-
-/// Whose arrays go into a `.ring` file: no structure at all has none.
-fn ring(options: &args::Deform) -> &str {
-    match options.structure.backend.as_str() {
-        on_backend::SEARCHED => on_backend::DEFAULT,
-        name => name,
-    }
 }
 
 fn failed(name: &str, error: &press::Error) -> Failure {

@@ -1,8 +1,8 @@
 //! Where a mesh is pressed.
 
 use crate::failure::Failure;
+use onering::NotFinite;
 use onering::vector::{self, Vector};
-use onering::{NotFinite, triangle};
 use onering_io::Triangles;
 
 /// To the left, top and front: where a made organ is thick, and the light of the picture comes from.
@@ -27,13 +27,6 @@ pub(crate) fn usual(mesh: &Triangles) -> usize {
     farthest.map_or(0, |v| v as usize)
 }
 
-/// The direction out of the surface at the vertex; `None` where its faces have none. O(faces).
-pub(crate) fn normal(mesh: &Triangles, at: usize) -> Option<Vector> {
-    let around = mesh.faces.iter().filter(|face| face.contains(&(at as u32)));
-    let area = |face: &[u32; 3]| triangle::normal(face.map(|v| vector::of(mesh.positions[v as usize])));
-    vector::direction(around.map(area).fold([0.0; 3], vector::plus))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -45,6 +38,5 @@ mod tests {
         let v = usual(&mesh);
         let along = |p: &[f32; 3]| vector::dot(vector::of(*p), LEFT_TOP_FRONT);
         assert!(mesh.positions.iter().all(|p| along(p) <= along(&mesh.positions[v])));
-        assert!(vector::dot(normal(&mesh, v).unwrap(), LEFT_TOP_FRONT) > 0.0);
     }
 }

@@ -3,6 +3,7 @@
 use super::fix;
 use crate::args;
 use crate::on_backend::Work;
+use onering::normals::{self, Weight};
 use onering::spring::{Options, Simulation, Solved, SpringError, Stiffness};
 use onering::vector::{self, Vector};
 use onering::{Handle, Incidence, Map, measure};
@@ -29,14 +30,14 @@ pub(crate) struct Load {
 pub(crate) struct Press<'a> {
     options: &'a args::Deform,
     mesh: &'a Triangles,
-    load: Load,
-    /// Whether the force is only a direction so far.
-    is_free: bool,
+    at: usize,
 }
 
 /// What became of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Pressed {
+    /// Of the surface where it was pressed; upwards where it has none.
+    pub(crate) normal: Vector,
     pub(crate) force: Vector,
     /// How many vertices were held.
     pub(crate) held: usize,
@@ -112,32 +113,23 @@ impl Load {
 }
 
 impl<'a> Press<'a> {
-    /// `normal` is that of the surface at the vertex, where it has one.
-    pub(crate) fn of(
-        options: &'a args::Deform,
-        mesh: &'a Triangles,
-        at: usize,
-        normal: Option<Vector>,
-    ) -> Self {
-        // At a vertex without a normal any direction is as good as another.
-        let inwards = vector::times(-1.0, normal.unwrap_or([0.0, 0.0, 1.0]));
-        let &args::Deform { rings, tolerance, max_iterations, .. } = options;
-        let load = Load { at, force: options.force.unwrap_or(inwards), rings, tolerance, max_iterations };
-        Self { options, mesh, load, is_free: options.force.is_none() }
+    pub(crate) fn of(options: &'a args::Deform, mesh: &'a Triangles, at: usize) -> Self {
+        Self { options, mesh, at }
     }
 
-    /// All is in proportion to the force: from what a force of 1 does follows the one that can be seen.
+    /// All is in proportion to the force: from what a load of force 1 does follows the force that can be seen.
     fn visible<M: Incidence>(
         &self,
+        load: &Load,
         mesh: &M,
         positions: &Map<M::Vertex, [f32; 3]>,
         options: &Options<M::Vertex, M::HalfEdge>,
     ) -> Result<Vector, SpringError> {
-        let roughly = Load { tolerance: 1e-3, ..self.load };
+        let roughly = Load { tolerance: 1e-3, ..*load };
         let (simulation, _) = roughly.rest(mesh, positions, options)?;
         let largest = largest(simulation.displacements().as_slice());
         let scale = VISIBLE * diagonal(positions) / largest;
-        Ok(vector::times(if scale.is_finite() { scale } else { 1.0 }, self.load.force))
+        Ok(vector::times(if scale.is_finite() { scale } else { 1.0 }, load.force))
     }
 
     /// Moves the mesh in time. Half of what is stable is a step that follows all but the fastest waves.
@@ -162,14 +154,19 @@ impl Work for Press<'_> {
 
     fn on<M: Incidence>(self, mesh: &M) -> Self::Output {
         let positions: Map<M::Vertex, _> = self.mesh.positions.clone().into();
-        let at = M::Vertex::new(self.load.at);
+        let at = M::Vertex::new(self.at);
         let fixed = fix::held(&self.options.fix, mesh, &positions, at).map_err(Error::Fix)?;
         let held = fixed.len();
-        let &args::Deform { stiffness, damping, steps, .. } = self.options;
+        let &args::Deform { force, rings, tolerance, max_iterations, stiffness, damping, steps, .. } =
+            self.options;
         let options = Options { stiffness: Stiffness::Same(stiffness), damping, fixed, ..Options::default() };
-        let mut load = self.load;
-        if self.is_free {
-            load.force = self.visible(mesh, &positions, &options)?;
+        // At a vertex without a normal any direction is as good as another.
+        let normal = normals::vertex_normal(mesh, &positions, at, Weight::Area).unwrap_or([0.0, 0.0, 1.0]);
+        let inwards = vector::times(-1.0, normal);
+        let mut load =
+            Load { at: self.at, force: force.unwrap_or(inwards), rings, tolerance, max_iterations };
+        if force.is_none() {
+            load.force = self.visible(&load, mesh, &positions, &options)?;
         }
         let (queries, _) = timed(|| black_box(sweep(mesh)));
         let (total, done) = timed(|| match steps {
@@ -182,6 +179,7 @@ impl Work for Press<'_> {
             return Err(Error::TooFar(v));
         }
         Ok(Pressed {
+            normal,
             force: load.force,
             held,
             iterations: solved.map_or(steps.unwrap_or(0), |solved| solved.iterations),

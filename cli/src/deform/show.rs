@@ -11,26 +11,25 @@ use onering_io::{Replacement, Triangles};
 const BESIDE: f64 = 0.55;
 const ABOVE: f64 = 0.25;
 
-/// From where to look, at what is pressed where the normal is.
+/// From where to look, where that is said.
 ///
 /// # Errors
 /// Where --view and --up are parallel.
-pub(crate) fn axes(options: &args::Deform, normal: Option<Vector>) -> Result<Axes, Failure> {
-    let up = options.up;
-    if let Some(view) = options.view {
-        let parallel = || Failure::Usage("--view is parallel to --up: say another --up".into());
-        return Axes::looking_from(view, up).ok_or_else(parallel);
-    }
-    let normal = normal.unwrap_or([0.0, 0.0, 1.0]);
-    let length = vector::length(up);
-    let above = vector::plus(normal, vector::times(ABOVE / length, up));
+pub(crate) fn view(options: &args::Deform) -> Result<Option<Axes>, Failure> {
+    let parallel = || Failure::Usage("--view is parallel to --up: say another --up".into());
+    options.view.map(|view| Axes::looking_from(view, options.up).ok_or_else(parallel)).transpose()
+}
+
+/// From over and beside what is pressed, where the surface has this normal.
+pub(crate) fn beside(up: Vector, normal: Vector) -> Axes {
+    let above = vector::plus(normal, vector::times(ABOVE / vector::length(up), up));
     let beside = vector::direction(vector::cross(up, normal)).unwrap_or([0.0; 3]);
     let view = vector::plus(above, vector::times(BESIDE, beside));
-    let around = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
-    let axes = Axes::looking_from(view, up);
-    // A normal that is up leaves the choice of what is up in the picture.
-    let axes = axes.or_else(|| around.into_iter().find_map(|up| Axes::looking_from(view, up)));
-    axes.ok_or_else(|| Failure::Usage("--view is needed here: the surface has no direction".into()))
+    // A normal that is up leaves the choice of what is up in the picture; no view is parallel to all three.
+    let ups = [up, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
+    ups.into_iter()
+        .find_map(|up| Axes::looking_from(view, up))
+        .expect("a normal has length 1, and ABOVE is less")
 }
 
 /// Draws the mesh before and after.
@@ -48,5 +47,6 @@ pub(crate) fn draw(
     let before = Surface { positions: &mesh.positions, faces: &mesh.faces, shares: None };
     let after = Surface { positions: &pressed.positions, faces: &mesh.faces, shares: Some(&shares) };
     let picture = picture::side_by_side(&[before, after], axes, usize::from(options.width));
+    let picture = picture.map_err(|error| Failure::Output(format!("{name}: {error}")))?;
     picture::write(&picture, name, file)
 }

@@ -12,7 +12,7 @@ use crate::made;
 use crate::output::{self, Status};
 use crate::surface::Surface;
 use crate::svg_map::{self, Map};
-use crate::{args, on_backend};
+use crate::{args, line_file, on_backend};
 use onering::{Incidence, NotFinite, critical};
 use report::Report;
 use std::io;
@@ -28,6 +28,7 @@ pub(crate) fn run(options: &args::Minima) -> io::Result<Status> {
 
 /// What is to be printed. Files are written before: nothing is said of one that could not be.
 fn minima(options: &args::Minima) -> Result<String, Failure> {
+    line_file::check_name(options.points.as_deref())?;
     let made = if options.stalactites { made::ROOF } else { made::TERRAIN };
     let surface = &Surface::with_field(&options.mesh, made, &options.heights)?;
     // Beside the points, a map has lines.
@@ -37,8 +38,8 @@ fn minima(options: &args::Minima) -> Result<String, Failure> {
     let work = Work { options, surface, levels };
     let (extrema, traced, seconds) = on_backend::run(&options.structure.backend, &surface.mesh, work)??;
     if let Some(path) = &options.points {
-        let points = extrema.points(surface.field_name());
-        points.and_then(|points| points.save(path)).map_err(|error| Failure::Output(error.to_string()))?;
+        let points = extrema.points(surface.field_name()).map_err(|error| surface.failure(&error))?;
+        line_file::save(&points, path)?;
     }
     if let Some(path) = &options.svg {
         svg_map::save(path, &Map { surface, levels, lines: &traced.lines, extrema: &extrema })?;

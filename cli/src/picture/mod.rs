@@ -4,7 +4,6 @@
 //! only what is seen is shaded ([`shade`]), and the samples of a pixel are averaged in linear light.
 
 mod camera;
-mod normals;
 mod png;
 mod raster;
 mod shade;
@@ -13,6 +12,7 @@ pub(crate) use camera::Axes;
 pub(crate) use png::write;
 
 use camera::Camera;
+use onering::{BuildError, Handle, Map, VertexId};
 use onering_io::colour::{Rgb, srgb_of_linear};
 use raster::Samples;
 use shade::{Linear, Shading};
@@ -42,34 +42,42 @@ pub(crate) struct Picture {
 
 /// The surfaces beside each other, seen by the same camera, so that what differs in the picture differs in space.
 /// O(vertices + faces + samples covered).
-pub(crate) fn side_by_side(surfaces: &[Surface<'_>], axes: &Axes, width: usize) -> Picture {
+///
+/// # Errors
+/// Where memory ends.
+pub(crate) fn side_by_side(
+    surfaces: &[Surface<'_>],
+    axes: &Axes,
+    width: usize,
+) -> Result<Picture, BuildError> {
     let each = (width - GAP * (surfaces.len() - 1)) / surfaces.len();
     let points = || surfaces.iter().flat_map(|surface| surface.positions);
     let camera = Camera::fitted(*axes, points, each);
-    let panels: Vec<Picture> = surfaces.iter().map(|surface| panel(surface, &camera)).collect();
+    let panels = surfaces.iter().map(|surface| panel(surface, &camera));
+    let panels = panels.collect::<Result<Vec<Picture>, _>>()?;
     let rule = [[255; 3]; GAP];
     let row = |y: usize| {
         let rows = panels.iter().map(move |panel| &panel.pixels[y * each..][..each]);
         rows.collect::<Vec<_>>().join(&rule[..])
     };
     let pixels: Vec<Rgb> = (0..camera.height).flat_map(row).collect();
-    Picture { width: pixels.len() / camera.height, height: camera.height, pixels }
+    Ok(Picture { width: pixels.len() / camera.height, height: camera.height, pixels })
 }
 
-fn panel(surface: &Surface<'_>, camera: &Camera) -> Picture {
+fn panel(surface: &Surface<'_>, camera: &Camera) -> Result<Picture, BuildError> {
     // In samples, from the middle of the picture, y up: near zero `f32` is finest.
-    let seen: Vec<[f32; 3]> = surface.positions.iter().map(|&p| camera.see(p, SIDE as f64)).collect();
+    let seen: Map<VertexId, [f32; 3]> =
+        surface.positions.iter().map(|&p| camera.see(p, SIDE as f64)).collect();
     let mut samples = Samples::new(SIDE * camera.width, SIDE * camera.height);
     for (f, &face) in surface.faces.iter().enumerate() {
-        samples.fill(f as u32, face.map(|v| seen[v as usize]));
+        samples.fill(f as u32, face.map(|v| seen[VertexId::new(v as usize)]));
     }
-    let normals = normals::of(&seen, surface.faces);
-    let shading = Shading::new(surface, &seen, &normals);
+    let shading = Shading::new(surface, &seen)?;
     let pixels = (0..camera.width * camera.height).map(|i| {
         let [x, y] = [i % camera.width, i / camera.width];
         encoded(pixel(&samples, &shading, x, y, shade::background(y as f32 / camera.height as f32)))
     });
-    Picture { width: camera.width, height: camera.height, pixels: pixels.collect() }
+    Ok(Picture { width: camera.width, height: camera.height, pixels: pixels.collect() })
 }
 
 /// The mean of its samples.
@@ -100,7 +108,7 @@ mod tests {
     fn a_square_fills_its_share_of_two_panels() {
         let positions = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
         let surface = Surface { positions: &positions, faces: &[[0, 1, 2], [0, 2, 3]], shares: None };
-        let picture = side_by_side(&[surface; 2], &front(), 202);
+        let picture = side_by_side(&[surface; 2], &front(), 202).unwrap();
         assert_eq!((picture.width, picture.height, picture.pixels.len()), (202, 100, 20_200));
         let middle = |panel: usize| picture.pixels[50 * 202 + panel * 102 + 50];
         let corner = picture.pixels[0];
@@ -117,7 +125,7 @@ mod tests {
         let of = |face: [u32; 3]| {
             let faces = [face];
             let surface = Surface { positions: &positions, faces: &faces, shares: None };
-            side_by_side(&[surface], &front(), 64).pixels
+            side_by_side(&[surface], &front(), 64).unwrap().pixels
         };
         assert_eq!(of([0, 1, 2]), of([0, 2, 1]));
     }
@@ -126,7 +134,7 @@ mod tests {
     fn nothing_and_a_point_are_drawn_as_background() {
         for positions in [&[][..], &[[1e38, 2.0, 3.0]]] {
             let surface = Surface { positions, faces: &[], shares: None };
-            let picture = side_by_side(&[surface], &front(), 40);
+            let picture = side_by_side(&[surface], &front(), 40).unwrap();
             assert!(picture.pixels.iter().flatten().all(|&channel| channel > 200));
         }
     }

@@ -1,8 +1,9 @@
 //! The colour of what is seen.
 
 use super::Surface;
-use super::normals;
+use onering::normals::{Weight, face_normal, vertex_normals};
 use onering::vector::{self, Vector};
+use onering::{BuildError, FaceId, FromFaces, Handle, Map, SharedVertex, Topology, VertexId};
 use onering_io::colour::{Rgb, linear_table, viridis};
 
 /// Red, green and blue in linear light.
@@ -33,42 +34,45 @@ const SHINE_POWER: i32 = 24;
 
 /// What the light falls on, as the camera sees it.
 pub(crate) struct Shading<'a> {
-    faces: &'a [[u32; 3]],
+    mesh: SharedVertex,
     shares: Option<&'a [f32]>,
-    seen: &'a [[f32; 3]],
-    normals: &'a [[f32; 3]],
+    seen: &'a Map<VertexId, [f32; 3]>,
+    normals: Map<VertexId, Vector>,
     linear: [f32; 256],
 }
 
 impl<'a> Shading<'a> {
-    pub(crate) fn new(surface: &Surface<'a>, seen: &'a [[f32; 3]], normals: &'a [[f32; 3]]) -> Self {
-        Self { faces: surface.faces, shares: surface.shares, seen, normals, linear: linear() }
+    /// `seen` is where the camera sees the vertices, all of them at finite places.
+    pub(crate) fn new(surface: &Surface<'a>, seen: &'a Map<VertexId, [f32; 3]>) -> Result<Self, BuildError> {
+        let mesh = SharedVertex::from_faces(seen.len(), surface.faces)?;
+        let normals = vertex_normals(&mesh, seen, Weight::Area).expect("places are finite");
+        Ok(Self { mesh, shares: surface.shares, seen, normals, linear: linear() })
     }
 
     /// The colour of face `f` where the picture has the point.
     pub(crate) fn colour(&self, f: usize, point: [f32; 2]) -> Linear {
-        let face = self.faces[f].map(|v| v as usize);
-        let corners = face.map(|v| self.seen[v]);
-        let weights = weights(corners, point);
-        let normal = self.normal(face, corners, weights);
-        let share = self
-            .shares
-            .map_or(0.0, |shares| (0..3).map(|i| weights[i] * f64::from(shares[face[i]])).sum::<f64>());
+        let f = FaceId::new(f);
+        let corners = self.mesh.face_vertices(f);
+        let weights = weights(corners.map(|v| self.seen[v]), point);
+        let normal = self.normal(f, weights);
+        let share = self.shares.map_or(0.0, |shares| {
+            (0..3).map(|i| weights[i] * f64::from(shares[corners[i].index()])).sum::<f64>()
+        });
         let [light, shine] = light(normal).map(|x| x as f32);
         self.tinted(share).map(|channel| channel * light + shine)
     }
 
     /// Of the side of the face that is seen: smooth within it, and also where faces disagree in orientation.
-    fn normal(&self, face: [usize; 3], corners: [[f32; 3]; 3], weights: [f64; 3]) -> Vector {
-        let flat = normals::of_face(corners);
+    fn normal(&self, f: FaceId, weights: [f64; 3]) -> Vector {
+        let flat = face_normal(&self.mesh, self.seen, f).unwrap_or([0.0, 0.0, 1.0]);
         let towards_us = if flat[2] < 0.0 { vector::times(-1.0, flat) } else { flat };
+        let corners = self.mesh.face_vertices(f);
         let smooth = (0..3).fold([0.0; 3], |sum, i| {
-            // Of unit length before they are mixed, so that large faces around a corner do not win.
-            let corner = vector::direction(vector::of(self.normals[face[i]])).unwrap_or([0.0; 3]);
+            let corner = self.normals[corners[i]];
             let sign = if vector::dot(corner, towards_us) < 0.0 { -1.0 } else { 1.0 };
             vector::plus(sum, vector::times(sign * weights[i], corner))
         });
-        vector::direction(smooth).or(vector::direction(towards_us)).unwrap_or([0.0, 0.0, 1.0])
+        vector::direction(smooth).unwrap_or(towards_us)
     }
 
     /// Where it is tinted a little the skin still shows, so that the tint has no edge.

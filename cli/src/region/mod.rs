@@ -2,14 +2,15 @@
 
 mod report;
 
+use crate::convert::Target;
 use crate::failure::Failure;
 use crate::made;
 use crate::output::{self, Status};
 use crate::surface::Surface;
-use crate::{args, on_backend};
+use crate::{args, input, on_backend};
 use onering::region::{StalactiteOptions, stalactite};
 use onering::{Handle, Incidence, Map, NotFinite, critical, submesh};
-use onering_io::{Triangles, save};
+use onering_io::{MeshRef, Triangles};
 use report::Report;
 use std::io;
 use std::time::Instant;
@@ -17,6 +18,11 @@ use std::time::Instant;
 /// Finds the region of one mesh.
 pub(crate) fn run(options: &args::Region) -> io::Result<Status> {
     match region(options) {
+        // Where the mesh went to standard output, no words go there.
+        Ok(text) if options.output.as_deref().is_some_and(input::is_standard) => {
+            output::tell(&text);
+            Ok(Status::Done)
+        }
         Ok(text) => output::print(&text).map(|()| Status::Done),
         Err(failure) => failure.end(),
     }
@@ -24,6 +30,9 @@ pub(crate) fn run(options: &args::Region) -> io::Result<Status> {
 
 /// What is to be printed. A file is written before: nothing is said of one that could not be.
 fn region(options: &args::Region) -> Result<String, Failure> {
+    let in_ring = on_backend::in_ring(&options.structure.backend);
+    let target = options.output.as_deref().map(|output| Target::new(output, options.to, in_ring, false));
+    let target = target.transpose()?;
     let surface = &Surface::read(&options.mesh, made::ROOF, options.up, options.unit.as_deref())?;
     if surface.mesh.faces.is_empty() {
         return Err(nothing(surface));
@@ -31,8 +40,8 @@ fn region(options: &args::Region) -> Result<String, Failure> {
     let seed = options.at.map(|at| at.vertex(&surface.name, &surface.mesh)).transpose()?;
     let work = Work { surface, seed, options: StalactiteOptions { steep: options.steep } };
     let found = on_backend::run(&options.structure.backend, &surface.mesh, work)??;
-    if let Some(path) = &options.output {
-        save(path, &found.part).map_err(|error| Failure::Output(error.to_string()))?;
+    if let Some(target) = &target {
+        target.write(MeshRef::from(&found.part))?;
     }
     let report = Report::new(&options.structure.backend, surface, &found);
     if options.json {
