@@ -35,23 +35,24 @@ type Source = WithOutgoing<CheL1>;
 /// `outgoing` is O(1) but at the boundary, where it turns to the clockwise end of the fan. A table to keep meshes in,
 /// where memory matters more than speed: what needs opposites alone is as fast as anywhere.
 ///
-/// # Vertices that are left over
-/// Every vertex needs a face of its own, and faces have three vertices, so there is one for each vertex of at least
-/// three faces. Of others, as few as can be are left over, at most two for each component: only vertices on the
-/// boundary, and one of each pillow (a face and its reverse). Each takes 4 bytes. Isolated vertices take nothing.
+/// # Unmatched vertices
+/// Every vertex needs a face of its own, and where all have three faces or more there is one for each. Else as few as
+/// can be go without: at most two of each component, both on its boundary, and one of each pillow (a face and its
+/// reverse). These take 4 bytes each. Isolated vertices take nothing.
 ///
 /// Degenerate faces, edges of three or more faces, faces that disagree in orientation and vertices of several fans
 /// are refused. Up to 2^31 - 1 half-edges.
 ///
 /// ```
-/// use onering::{Handle, Incidence, Sot, Topology, VertexId};
+/// use onering::{Handle, Incidence, Sot, Topology};
 /// // A square, cut in two: vertices 0 and 2 have two faces each, 1 and 3 one.
-/// let (mesh, numbers) = Sot::encode(4, &[[0, 1, 2], [2, 3, 0]])?;
-/// let name = |v: VertexId| ["south-west", "south-east", "north-east", "north-west"][numbers.vertex_source[v.index()] as usize];
+/// let (mesh, maps) = Sot::encode(4, &[[0, 1, 2], [2, 3, 0]])?;
+/// let names = maps.carry_vertices(&["one end", "a side", "other end", "a side"]);
 /// for v in mesh.vertices() {
-///     println!("{} has {} neighbours", name(v), mesh.one_ring(v).count());
+///     let degree = if names[v.index()] == "a side" { 2 } else { 3 };
+///     assert_eq!(mesh.one_ring(v).count(), degree);
 /// }
-/// assert_eq!(mesh.matched_count(), 2); // two faces, so two of the four vertices are left over
+/// assert_eq!(mesh.matched_count(), 2); // two faces, so two of the four vertices have none of their own
 /// # Ok::<(), onering::BuildError>(())
 /// ```
 #[derive(Clone)]
