@@ -1,4 +1,5 @@
 //! The sorted opposite table renumbers, so the laws run on each case in the numbers that its maps tell.
+#[allow(dead_code, reason = "fans are for the law of their order")]
 #[path = "common/naive.rs"]
 mod naive;
 #[path = "common/random.rs"]

@@ -98,8 +98,8 @@ impl Sot {
     /// The vertex that the number of `h` says.
     #[inline(always)]
     fn named(&self, h: HalfEdgeId) -> Option<VertexId> {
-        let (f, side) = (h.index() / 3, h.index() % 3);
-        (side == 0 && f < self.matched_count).then(|| VertexId::new(f))
+        let is_named = h.index().is_multiple_of(3) && h.index() < 3 * self.matched_count;
+        is_named.then(|| VertexId::new(h.index() / 3))
     }
 
     /// The vertex of a pillow that has no face of its own, by one of its two half-edges.
