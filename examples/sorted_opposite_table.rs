@@ -57,7 +57,7 @@ fn stars<M: Incidence>(mesh: &M) -> f64 {
 
 /// How many faces the walk of `origin` looks at, on average.
 fn visits(mesh: &Sot) -> f64 {
-    let names = |h: onering::HalfEdgeId| h.index() % 3 == 0 && h.index() / 3 < mesh.matched_count();
+    let names = |h: onering::HalfEdgeId| h.index().is_multiple_of(3) && h.index() / 3 < mesh.matched_count();
     let turned = |g, start| mesh.rotate_cw(g).filter(|&turned| turned != start);
     let walk = |h| std::iter::successors(Some(h), move |&g| if names(g) { None } else { turned(g, h) });
     let all: usize = mesh.half_edges().map(|h| walk(h).count()).sum();
