@@ -71,7 +71,7 @@ pub struct Sot {
 
 impl Sot {
     /// The table of `faces`, and the maps to its numbers. O(vertices + faces); beside the result and the maps, what
-    /// [`CheL1`](crate::CheL1) of the list takes to build, and 17 bytes a face and 8 a vertex.
+    /// [`CheL1`] of the list takes, and up to some 25 bytes a face and 12 a vertex.
     ///
     /// Vertices with a face of their own come first, inside ones before those on the boundary, then those that are
     /// left over, then isolated ones, each kind in the order of the list; further faces in the order of the list too.
