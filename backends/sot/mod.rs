@@ -74,7 +74,7 @@ impl Sot {
     /// [`CheL1`] of the list takes, and up to some 25 bytes a face and 12 a vertex.
     ///
     /// Vertices with a face of their own come first, inside ones before those on the boundary, then those that are
-    /// left over, then isolated ones, each kind in the order of the list; further faces in the order of the list too.
+    /// left over, then isolated ones; all but those left over in the order of the list, and further faces too.
     ///
     /// # Errors
     /// What the table cannot hold, the first element that is at fault, as all backends say it; see [`BuildError`].
