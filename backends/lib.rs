@@ -28,6 +28,7 @@ pub mod registry;
 #[cfg(feature = "ring")]
 pub mod ring;
 mod selected;
+pub mod sot;
 pub mod storage;
 mod table;
 mod vertex_graph;
@@ -38,6 +39,7 @@ pub use half_edge::HalfEdgeMesh;
 pub use layout::aliases::*;
 pub use mate_face::MateFace;
 pub use selected::{Mesh, Selected};
+pub use sot::Sot;
 pub use table::Table;
 pub use vertex_graph::VertexGraph;
 pub use winged_edge::WingedEdge;

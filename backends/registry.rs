@@ -52,6 +52,15 @@ macro_rules! entries {
 }
 with_backends!(entries);
 
+/// Structures that renumber vertices and faces, and so are made by a function of their own that gives the maps as
+/// well, not by [`FromFaces`](crate::FromFaces) as every one of [`BACKENDS`] is.
+pub const RENUMBERING: &[Entry] = &[Entry {
+    name: "sot",
+    traits: &["topology", "adjacency", "incidence"],
+    holds: &[],
+    bytes: crate::Sot::BYTES,
+}];
+
 /// Rows of the memory table that are no backends: name, bytes of connectivity a triangle where there is any, and
 /// the formula.
 pub const NOT_BACKENDS: [(&str, Option<usize>, &str); 2] =

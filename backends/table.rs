@@ -144,6 +144,7 @@ impl<L: Layout> Footprint for Table<L> {
         curve: 4 * L::Curves::CELLS,
         edge_record: 4 * RecordsOf::<L>::CELLS * L::Opposite::CELLS,
         vertex_record: 4 * RecordsOf::<L>::CELLS * L::Outgoing::CELLS,
+        unmatched: 0,
     };
 
     fn heap_bytes(&self) -> usize {

@@ -4,7 +4,7 @@
     reason = "a global allocator is an unsafe trait; this one hands every call on to the system's"
 )]
 use onering::conformance::{self as laws, Flaw};
-use onering::{Footprint, FromFaces, SharedVertex, WithOpposites, WithOutgoing};
+use onering::{Footprint, FromFaces, SharedVertex, Sot, WithOpposites, WithOutgoing};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -92,6 +92,22 @@ macro_rules! backends {
     };
 }
 onering::with_backends!(backends);
+
+/// It is made by a function of its own, which gives maps as well.
+#[test]
+fn sot() {
+    let torus = laws::Case::counted("a larger torus", 120, laws::torus(12, 10));
+    for case in laws::corpus().into_iter().chain([torus]) {
+        let (encoded, live) = counted(|| Sot::encode(case.vertices, &case.faces).map(|(mesh, _)| mesh));
+        let Ok(mesh) = encoded else {
+            assert_eq!(live, 0, "{}: a mesh that is refused leaves nothing behind", case.name);
+            continue;
+        };
+        assert_eq!(live, mesh.heap_bytes(), "{}: encoded", case.name);
+        let (copy, live) = counted(|| mesh.clone());
+        assert_eq!(live, copy.heap_bytes(), "{}: copied", case.name);
+    }
+}
 
 #[test]
 fn adaptors() {

@@ -28,6 +28,9 @@ pub struct Bytes {
     pub edge_record: usize,
     /// For each word of the records of vertices of several fans: for each such vertex, one and its fans.
     pub vertex_record: usize,
+    /// For each vertex that is left without a face where as many vertices as can be have one each of which they are
+    /// a corner, and no two the same. Isolated vertices do not count.
+    pub unmatched: usize,
 }
 
 /// Numbers of elements that [`Bytes`] is linear in.
@@ -45,12 +48,22 @@ pub struct Counts {
     pub edge_record_words: usize,
     /// Words in records of vertices.
     pub vertex_record_words: usize,
+    /// Vertices, but for isolated ones, without a face of their own: see [`Bytes::unmatched`].
+    pub unmatched: usize,
 }
 
 impl Bytes {
     /// No byte for anything: what a formula begins with.
-    pub const NONE: Self =
-        Self { constant: 0, vertex: 0, edge: 0, face: 0, curve: 0, edge_record: 0, vertex_record: 0 };
+    pub const NONE: Self = Self {
+        constant: 0,
+        vertex: 0,
+        edge: 0,
+        face: 0,
+        curve: 0,
+        edge_record: 0,
+        vertex_record: 0,
+        unmatched: 0,
+    };
 
     /// Bytes for a mesh with these counts.
     pub const fn of(&self, n: &Counts) -> usize {
@@ -61,6 +74,7 @@ impl Bytes {
             + self.curve * n.curves
             + self.edge_record * n.edge_record_words
             + self.vertex_record * n.vertex_record_words
+            + self.unmatched * n.unmatched
     }
 
     /// Bytes a triangle on a large closed manifold, where there are half as many vertices as faces and one and
@@ -70,7 +84,7 @@ impl Bytes {
     }
 }
 
-/// The formula, in V, E, T (faces), B (boundary curves) and the words of records.
+/// The formula, in V, E, T (faces), B (boundary curves), the words of records, and unmatched vertices.
 impl fmt::Display for Bytes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let terms = [
@@ -80,6 +94,7 @@ impl fmt::Display for Bytes {
             (self.curve, " B"),
             (self.edge_record, " edge records"),
             (self.vertex_record, " vertex records"),
+            (self.unmatched, " unmatched vertices"),
             (self.constant, ""),
         ];
         let mut plus = "";

@@ -28,7 +28,7 @@ use crate::{
 )]
 pub trait Incidence: Adjacency {
     /// The start of the first fan of `v`: its most clockwise half-edge, so that one counter-clockwise turn sees
-    /// the whole fan. `None` when `v` is isolated. O(1).
+    /// the whole fan. `None` when `v` is isolated. O(1), but for boundary vertices of a sorted opposite table.
     ///
     /// Open fans come before closed ones: `v` has an open fan if and only if `opposite` of this is `None` (but where
     /// a fan goes on across faces that disagree in orientation: see above).

@@ -5,7 +5,8 @@ use alloc::vec::Vec;
 /// Triangles over vertices: what every backend answers.
 ///
 /// A half-edge is one side of one face, so there are three for each face, and a boundary edge has one.
-/// Faces are counter-clockwise. Required methods are O(1).
+/// Faces are counter-clockwise. Required methods are O(1), but for `origin` of a sorted opposite table, a walk around
+/// the vertex.
 ///
 /// The provided `next`, `prev`, `face` and `first` number half-edges by corners (`3f + k`). A backend that
 /// numbers them otherwise overrides all of them, with `half_edges` and `half_edge_bound`; a caller may assume

@@ -138,6 +138,27 @@ impl<H: Handle> Slow<H> {
         groups(boundary, |i, j| self.next_along(i) == Some(j) || self.next_along(j) == Some(i)).len()
     }
 
+    /// Vertices with faces, but without one of their own, where as many as can be have one: each looks for a face that
+    /// is free, or whose owner finds another (Kuhn 1955).
+    pub(super) fn unmatched(&self) -> usize {
+        let mut owner = vec![None; self.sides.len()];
+        let with_faces = (0..self.vertices).filter(|&v| !self.out_of(v).is_empty());
+        with_faces.filter(|&v| !self.is_given_a_face(v, &mut owner, &mut BTreeSet::new())).count()
+    }
+
+    /// Faces are named by their first side.
+    fn is_given_a_face(&self, v: usize, owner: &mut [Option<usize>], asked: &mut BTreeSet<usize>) -> bool {
+        let first = |i: usize| i.min(self.sides[i].next).min(self.sides[i].prev);
+        for f in self.out_of(v).into_iter().map(first) {
+            let is_new = asked.insert(f);
+            if is_new && owner[f].is_none_or(|other| self.is_given_a_face(other, owner, asked)) {
+                owner[f] = Some(v);
+                return true;
+            }
+        }
+        false
+    }
+
     /// Words of records: for each edge that is not one half-edge or a pair of opposites, one and its half-edges.
     pub(super) fn edge_record_words(&self) -> usize {
         let irregular = |&i: &usize| !self.is_boundary(i) && self.opposite(i).is_none();

@@ -21,6 +21,7 @@ pub fn footprint<M: Footprint>(case: &Case, mesh: &M) {
         curves: slow.curve_count(),
         edge_record_words: slow.edge_record_words(),
         vertex_record_words,
+        unmatched: slow.unmatched(),
     };
     let across_edges = M::BYTES.of(&counts(slow.vertex_record_words(|v| slow.fans_across_edges(v))));
     if mesh.heap_bytes() != across_edges {
