@@ -1,5 +1,5 @@
 //! The faces of a stalactite, from one of its vertices.
-use super::{Region, grown, normal};
+use super::{Entry, Region, grown, normal};
 use crate::{Incidence, Map, NotFinite, not_finite, vector};
 use alloc::vec::Vec;
 
@@ -83,10 +83,12 @@ pub fn stalactite<M: Incidence + ?Sized>(
         let apex = z(mesh.origin(mesh.prev(g)));
         apex >= z(mesh.origin(g)) || apex >= z(mesh.target(g))
     };
-    let cap = grown(mesh, at_tip.iter().copied(), |h, g| {
-        rises(g) && is_steep(mesh.face(h)) != Some(true) && is_steep(mesh.face(g)) != Some(true)
-    });
-    let all = grown(mesh, cap, |_, g| rises(g) && is_steep(mesh.face(g)) != Some(false));
+    // Asked of a face alone, an edge of many faces is passed over once, not once for each of them.
+    let entry = |is_admitted| if is_admitted { Entry::Granted } else { Entry::Refused };
+    let flat_tip = at_tip.iter().copied().filter(|&f| is_steep(f) != Some(true));
+    let cap = grown(mesh, flat_tip, |_, g| entry(rises(g) && is_steep(mesh.face(g)) != Some(true)));
+    let start = at_tip.iter().copied().chain(cap);
+    let all = grown(mesh, start, |_, g| entry(rises(g) && is_steep(mesh.face(g)) != Some(false)));
     let has_flank = all.iter().any(|&f| is_steep(f) == Some(true));
     Ok(Region::new(mesh, if has_flank { all } else { at_tip }))
 }
