@@ -287,3 +287,15 @@ fn an_edge_of_many_faces_is_passed_over_a_few_times() {
     assert_eq!(found.faces().len(), faces.len());
     assert!(mesh.steps.get() <= most, "{} steps", mesh.steps.get());
 }
+
+#[test]
+fn a_degenerate_face_is_in_a_region_once() {
+    let soup = SharedVertex::from_faces(3, &[[0, 0, 1], [0, 1, 2]]).unwrap();
+    let mesh = Searched::new(soup);
+    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into();
+    let found =
+        region::stalactite(&mesh, &positions, VertexId::new(0), StalactiteOptions::default()).unwrap();
+    let mut faces = found.faces().to_vec();
+    faces.sort_unstable();
+    assert_eq!(faces, [0, 1].map(FaceId::new));
+}

@@ -1,7 +1,6 @@
 //! The faces of a stalactite, from one of its vertices.
 use super::{Entry, Region, grown, normal};
 use crate::{Incidence, Map, NotFinite, not_finite, vector};
-use alloc::vec::Vec;
 
 /// What [`stalactite()`] takes for the flank of a stalactite.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +75,8 @@ pub fn stalactite<M: Incidence + ?Sized>(
     not_finite::positions(positions)?;
     let z = |v: M::Vertex| positions[v][2];
     let tip = lowest_below(mesh, picked, z);
-    let at_tip: Vec<M::Face> = mesh.star(tip).map(|h| mesh.face(h)).collect();
+    // A degenerate face may be there with two of its corners.
+    let at_tip = grown(mesh, mesh.star(tip).map(|h| mesh.face(h)), |_, _| Entry::Refused);
     let cosine = libm::cos(options.steep.to_radians());
     let is_steep = |f| vector::direction(normal(mesh, positions, f)).map(|n| n[2].abs() <= cosine);
     let rises = |g| {
