@@ -1,6 +1,7 @@
 //! Regions against slow growth on every backend, and stalactites whose faces, area and box are known.
 use onering::region::{self, StalactiteOptions};
 use onering::*;
+use std::cell::Cell;
 use std::collections::BTreeSet;
 
 #[path = "algorithms/samples.rs"]
@@ -220,4 +221,81 @@ fn nothing_around_an_isolated_vertex() {
     assert_eq!(found.bounding_box(&positions), [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]]);
     let nan = Map::filled(4, [0.0, 0.0, f32::NAN]);
     assert!(region::stalactite(&mesh, &nan, isolated, &StalactiteOptions::default()).is_err());
+}
+
+/// A structure that counts how often it goes from one face of an edge to the next.
+struct Counted {
+    mesh: DirectedEdgesSmall,
+    steps: Cell<usize>,
+}
+
+impl Topology for Counted {
+    type Vertex = VertexId;
+    type HalfEdge = HalfEdgeId;
+    type Face = FaceId;
+
+    fn vertex_count(&self) -> usize {
+        self.mesh.vertex_count()
+    }
+
+    fn face_count(&self) -> usize {
+        self.mesh.face_count()
+    }
+
+    fn origin(&self, h: HalfEdgeId) -> VertexId {
+        self.mesh.origin(h)
+    }
+}
+
+impl Adjacency for Counted {
+    fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.mesh.opposite(h)
+    }
+
+    fn edge_fan(&self, h: HalfEdgeId) -> impl Iterator<Item = HalfEdgeId> {
+        self.mesh.edge_fan(h).inspect(|_| self.steps.set(self.steps.get() + 1))
+    }
+}
+
+impl Incidence for Counted {
+    fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
+        self.mesh.outgoing(v)
+    }
+
+    fn fans(&self, v: VertexId) -> impl Iterator<Item = HalfEdgeId> {
+        self.mesh.fans(v)
+    }
+}
+
+/// A tip below an edge of many faces, every other of them steep. To pass all of them by from each took the square.
+#[test]
+fn an_edge_of_many_faces_is_passed_over_a_few_times() {
+    let pages = 1000;
+    let faces: Vec<[u32; 3]> =
+        std::iter::once([0, 1, 2]).chain((0..pages).map(|page| [1, 2, page + 3])).collect();
+    let page = |page: u32| if page.is_multiple_of(2) { [0.5, 0.001, 0.0] } else { [0.5, 1.0, -0.999] };
+    let positions = [[0.5, -1.0, -1.01], [0.0, 0.0, -1.0], [1.0, 0.0, -1.0]].into_iter();
+    let positions: Map<VertexId, [f32; 3]> = positions.chain((0..pages).map(page)).collect();
+    let mesh = DirectedEdgesSmall::from_faces(positions.len(), &faces).unwrap();
+    let mesh = Counted { mesh, steps: Cell::new(0) };
+    let most = 20 * faces.len();
+    let all = region::grow(&mesh, [FaceId::new(0)], |_, _| true);
+    assert_eq!(all.faces().len(), faces.len());
+    assert!(mesh.steps.replace(0) <= most);
+    let tip = VertexId::new(0);
+    let found = region::stalactite(&mesh, &positions, tip, StalactiteOptions::default()).unwrap();
+    assert_eq!(found.faces().len(), faces.len());
+    assert!(mesh.steps.get() <= most, "{} steps", mesh.steps.get());
+}
+
+#[test]
+fn a_degenerate_face_is_in_a_region_once() {
+    let soup = SharedVertex::from_faces(3, &[[0, 0, 1], [0, 1, 2]]).unwrap();
+    let mesh = Searched::new(soup);
+    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into();
+    let found =
+        region::stalactite(&mesh, &positions, VertexId::new(0), StalactiteOptions::default()).unwrap();
+    let mut faces = found.faces().to_vec();
+    faces.sort_unstable();
+    assert_eq!(faces, [0, 1].map(FaceId::new));
 }

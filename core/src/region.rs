@@ -1,6 +1,8 @@
 //! Regions: faces grown from a seed.
 use crate::{Adjacency, Handle, Map, Topology, measure};
 use alloc::vec::Vec;
+use crate::{Adjacency, Handle, Map, Topology, relations, vector, vector::Vector};
+use alloc::{collections::BTreeMap, vec::Vec};
 
 mod stalactite;
 
@@ -63,7 +65,9 @@ impl<F: Handle, V: Handle> Region<F, V> {
 /// in orientation, if it may.
 ///
 /// # Complexity
-/// O(faces of the region), and one byte of scratch for each face of the mesh.
+/// O(n log n) in the faces of the region and in how often the predicate is asked: at most three times of a face, and at
+/// an edge of three and more faces for each pair of one in the region and one that stays outside. One byte of scratch
+/// for each face of the mesh, and a list of the faces along each such edge.
 ///
 /// # Panics
 /// If a seed is out of range.
@@ -85,16 +89,26 @@ impl<F: Handle, V: Handle> Region<F, V> {
 pub fn grow<M: Adjacency + ?Sized>(
     mesh: &M,
     seeds: impl IntoIterator<Item = M::Face>,
-    admits: impl FnMut(M::HalfEdge, M::HalfEdge) -> bool,
+    mut admits: impl FnMut(M::HalfEdge, M::HalfEdge) -> bool,
 ) -> Region<M::Face, M::Vertex> {
-    Region::new(mesh, grown(mesh, seeds, admits))
+    let entry = |h, g| if admits(h, g) { Entry::Granted } else { Entry::RefusedFromHere };
+    Region::new(mesh, grown(mesh, seeds, entry))
+}
+
+/// What becomes of a face across an edge from the region.
+enum Entry {
+    Granted,
+    /// It may be asked about again, from another face along the edge.
+    RefusedFromHere,
+    /// Refused across this edge, whichever face of it asks.
+    Refused,
 }
 
 /// The faces of [`grow`].
 fn grown<M: Adjacency + ?Sized>(
     mesh: &M,
     seeds: impl IntoIterator<Item = M::Face>,
-    mut admits: impl FnMut(M::HalfEdge, M::HalfEdge) -> bool,
+    mut entry: impl FnMut(M::HalfEdge, M::HalfEdge) -> Entry,
 ) -> Vec<M::Face> {
     let mut is_in: Map<M::Face, bool> = Map::filled(mesh.face_count(), false);
     let mut faces: Vec<M::Face> = Vec::new();
@@ -103,15 +117,35 @@ fn grown<M: Adjacency + ?Sized>(
             faces.push(f);
         }
     }
+    // Of each edge of three and more faces, who may still be let in: were all its faces passed by from each of them,
+    // their square would be the time.
+    let mut outside: BTreeMap<M::HalfEdge, Vec<M::HalfEdge>> = BTreeMap::new();
     let mut next = 0;
     while let Some(&f) = faces.get(next) {
         next += 1;
         for h in mesh.face_half_edges(f) {
-            for g in mesh.edge_fan(h).skip(1) {
-                if !is_in[mesh.face(g)] && admits(h, g) {
+            let mut stays_outside = |g: M::HalfEdge| {
+                if is_in[mesh.face(g)] {
+                    return false;
+                }
+                let entry = entry(h, g);
+                if matches!(entry, Entry::Granted) {
                     is_in[mesh.face(g)] = true;
                     faces.push(mesh.face(g));
                 }
+                matches!(entry, Entry::RefusedFromHere)
+            };
+            let mut others = mesh.edge_fan(h).skip(1);
+            match (others.next(), others.next()) {
+                (Some(g), None) => {
+                    stays_outside(g);
+                }
+                (Some(_), Some(_)) => {
+                    let fan = || mesh.edge_fan(h).collect();
+                    let outside = outside.entry(relations::edge(mesh, h)).or_insert_with(fan);
+                    outside.retain(|&g| stays_outside(g));
+                }
+                (None, _) => {}
             }
         }
     }

@@ -1,17 +1,22 @@
 //! Any list of triangles: what is said of it, what every backend makes of it, and what repair makes of it.
 mod algorithms;
 mod backends;
+mod fields;
 mod mended;
 #[allow(dead_code, reason = "shared with tests that use more of it")]
 #[path = "../../tests/common/naive.rs"]
 mod naive;
+mod orders;
+mod placed;
+mod relations;
 
 use onering::Defects;
 
-/// A list of triangles.
+/// A list of triangles, and a position for each vertex.
 struct List {
     vertices: usize,
     faces: Vec<[u32; 3]>,
+    positions: Vec<[f32; 3]>,
 }
 
 /// Faces beyond these are ignored, so that a run takes milliseconds.
@@ -35,7 +40,8 @@ pub fn index_buffer(bytes: &[u8]) {
     let in_range = |corner: u8| if choices < 128 && vertices > 0 { corner % vertices } else { corner };
     let faces = corners.as_chunks::<3>().0.iter().take(MOST_FACES);
     let faces = faces.map(|face| face.map(|corner| in_range(corner).into())).collect();
-    let list = List { vertices: vertices.into(), faces };
+    let positions = (0..vertices.into()).map(|v| position(v, choices, corners)).collect();
+    let list = List { vertices: vertices.into(), faces, positions };
     let defects = Defects::of(list.vertices, &list.faces);
     lists_are_counted(&list, &defects);
     far_apart(&list, &defects, (1 << (choices % 25)) + 1);
@@ -44,6 +50,41 @@ pub fn index_buffer(bytes: &[u8]) {
     backends::adaptors(&list, &defects);
     mended::mended(&list, &defects);
     mended::welded(&list, choices);
+}
+
+/// Coordinates: few, so that points coincide, are level, and lie in one plane; then those at the ends of what there is.
+const COORDINATES: [f32; 16] = [
+    0.0,
+    1.0,
+    -1.0,
+    2.0,
+    0.5,
+    -0.0,
+    3.0,
+    0.1,
+    f32::MAX,
+    f32::MIN,
+    f32::MIN_POSITIVE,
+    1e-45,
+    -1e-45,
+    1e19,
+    -1e-30,
+    7e5,
+];
+
+/// Where a vertex is: the bytes of the corners tell that too, or else most positions of a short list would be the same.
+/// One of the choices is whether coordinates may be extreme, or infinite or no number at all.
+fn position(v: usize, choices: u8, corners: &[u8]) -> [f32; 3] {
+    [0, 1, 2].map(|axis| {
+        let byte = corners.get((5 * v + 3 * axis + usize::from(choices)) % corners.len().max(1));
+        let byte = byte.copied().unwrap_or(choices).wrapping_add((v as u8).wrapping_mul(37)) ^ axis as u8;
+        match (choices & 64 != 0, byte) {
+            (true, 250) => f32::INFINITY,
+            (true, 251) => f32::NAN,
+            (true, _) => COORDINATES[usize::from(byte % 16)],
+            (false, _) => f32::from(byte % 8) / 2.0 - 1.0,
+        }
+    })
 }
 
 /// The lists of the elements are as long as the figures say.

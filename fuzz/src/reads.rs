@@ -1,5 +1,5 @@
 //! What every reader promises, for any bytes.
-use onering_io::{Error, Format, Triangles, obj, obj_attributes, read, read_as};
+use onering_io::{Error, Format, Triangles, obj, obj_attributes, read, read_as, read_in_pieces};
 use std::mem::take;
 
 /// Reads the bytes as this format.
@@ -7,6 +7,23 @@ pub fn reads(bytes: &[u8], format: Format) {
     check(bytes, || read_as(bytes, format), most_bytes(bytes, Some(format)));
     if format == Format::Obj {
         attributes(bytes);
+    }
+    in_pieces(bytes, format);
+}
+
+/// A large file is read in pieces, wherever their borders lie, to the same mesh; or as a whole, where that says what is
+/// wrong with it. A packed one is not.
+fn in_pieces(bytes: &[u8], format: Format) {
+    if bytes.starts_with(&[0x1F, 0x8B, 8]) {
+        return;
+    }
+    let whole = read_as(bytes, format).ok();
+    for size in [1, 3, 8, 61] {
+        match (read_in_pieces(bytes, format, size), &whole) {
+            (Some(mesh), Some(whole)) => same(mesh, whole.clone()),
+            (Some(_), None) => panic!("what is refused as a whole is read in pieces of {size}"),
+            (None, whole) => assert!(format != Format::Obj || whole.is_none(), "not in pieces of {size}"),
+        }
     }
 }
 

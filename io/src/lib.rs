@@ -74,6 +74,8 @@ pub use error::{Error, Reason, one_line};
 pub use format::Format;
 pub use gzip::unpacked;
 pub use lines::{Line, Lines};
+#[doc(hidden)]
+pub use load::read_in_pieces;
 pub use load::{Options, bytes_of, load, read, read_as, read_at};
 pub use mesh_ref::MeshRef;
 pub use place::{Item, Place};

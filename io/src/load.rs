@@ -153,6 +153,17 @@ pub fn load(path: impl AsRef<Path>) -> Result<Triangles, Error> {
     Options::default().load(path)
 }
 
+/// What [`load`] makes of a large file of these bytes, with so many bytes of it (triangles of STL) in a piece: for the
+/// fuzz targets, whose files are small. `None` where [`load`] reads it as a whole.
+#[doc(hidden)]
+pub fn read_in_pieces(bytes: &[u8], format: Format, size: usize) -> Option<Triangles> {
+    match format {
+        Format::Obj => obj::pieces::read_pieces(without_byte_order_mark(bytes), size),
+        Format::Stl => stl::pieces::read_pieces(bytes, bytes.len() as u64, true, size),
+        _ => None,
+    }
+}
+
 /// All bytes of the file at `path`, for [`read_at`] and whatever else they are wanted for. A pipe is read to its
 /// end.
 ///

@@ -2,6 +2,8 @@
 use super::{Region, grown};
 use crate::{Incidence, Map, NotFinite, normals, not_finite};
 use alloc::vec::Vec;
+use super::{Entry, Region, grown, normal};
+use crate::{Incidence, Map, NotFinite, not_finite, vector};
 
 /// What [`stalactite()`] takes for the flank of a stalactite.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,17 +78,20 @@ pub fn stalactite<M: Incidence + ?Sized>(
     not_finite::positions(positions)?;
     let z = |v: M::Vertex| positions[v][2];
     let tip = lowest_below(mesh, picked, z);
-    let at_tip: Vec<M::Face> = mesh.star(tip).map(|h| mesh.face(h)).collect();
+    // A degenerate face may be there with two of its corners.
+    let at_tip = grown(mesh, mesh.star(tip).map(|h| mesh.face(h)), |_, _| Entry::Refused);
     let cosine = libm::cos(options.steep.to_radians());
     let is_steep = |f| normals::face_normal(mesh, positions, f).map(|n| n[2].abs() <= cosine);
     let rises = |g| {
         let apex = z(mesh.origin(mesh.prev(g)));
         apex >= z(mesh.origin(g)) || apex >= z(mesh.target(g))
     };
-    let cap = grown(mesh, at_tip.iter().copied(), |h, g| {
-        rises(g) && is_steep(mesh.face(h)) != Some(true) && is_steep(mesh.face(g)) != Some(true)
-    });
-    let all = grown(mesh, cap, |_, g| rises(g) && is_steep(mesh.face(g)) != Some(false));
+    // Asked of a face alone, an edge of many faces is passed over once, not once for each of them.
+    let entry = |is_admitted| if is_admitted { Entry::Granted } else { Entry::Refused };
+    let flat_tip = at_tip.iter().copied().filter(|&f| is_steep(f) != Some(true));
+    let cap = grown(mesh, flat_tip, |_, g| entry(rises(g) && is_steep(mesh.face(g)) != Some(true)));
+    let start = at_tip.iter().copied().chain(cap);
+    let all = grown(mesh, start, |_, g| entry(rises(g) && is_steep(mesh.face(g)) != Some(false)));
     let has_flank = all.iter().any(|&f| is_steep(f) == Some(true));
     Ok(Region::new(mesh, if has_flank { all } else { at_tip }))
 }

@@ -1,10 +1,13 @@
 //! Every algorithm, for each trait: it ends, and agrees with `Defects`, which comes to its figures in another way.
 //! A function has the name that the registry has.
+use super::{List, fields, orders, placed, relations};
 use onering::neighbours::Neighbours;
 use onering::*;
 use std::collections::HashSet;
 
-pub(super) fn topology<M: Topology>(mesh: &M, defects: &Defects) {
+pub(super) fn topology<M: Topology>(mesh: &M, list: &List, defects: &Defects) {
+    orders::topology(mesh, list);
+    placed::topology(mesh, list);
     let parts = components::components_by_vertex(mesh);
     assert_eq!(parts.sizes().iter().sum::<usize>(), mesh.face_count());
     if defects.degenerate_faces == 0 {
@@ -13,7 +16,10 @@ pub(super) fn topology<M: Topology>(mesh: &M, defects: &Defects) {
     }
 }
 
-pub(super) fn adjacency<M: Adjacency>(mesh: &M, defects: &Defects) {
+pub(super) fn adjacency<M: Adjacency>(mesh: &M, list: &List, defects: &Defects) {
+    relations::adjacency(mesh);
+    fields::adjacency(mesh, list);
+    placed::adjacency(mesh, list, defects);
     assert_eq!(edges::edge_count(mesh), defects.edges);
     assert_eq!(boundary::edge_count(mesh), defects.boundary_edges);
     assert_eq!(boundary::loops(mesh), defects.boundary_loops);
@@ -48,7 +54,10 @@ fn curves_cover_the_boundary<M: Adjacency>(mesh: &M) {
     assert_eq!(covered.len(), boundary::edge_count(mesh));
 }
 
-pub(super) fn incidence<M: Incidence>(mesh: &M, defects: &Defects) {
+pub(super) fn incidence<M: Incidence>(mesh: &M, list: &List, defects: &Defects) {
+    relations::incidence(mesh);
+    fields::incidence(mesh, list, defects);
+    placed::incidence(mesh, list);
     let bound = mesh.half_edge_count() + 1;
     let mut faces = 0;
     for v in mesh.vertices() {
@@ -61,10 +70,11 @@ pub(super) fn incidence<M: Incidence>(mesh: &M, defects: &Defects) {
         faces += star;
     }
     assert_eq!(faces, mesh.half_edge_count(), "each half-edge leaves one vertex");
-    graph(mesh, defects);
+    graph(mesh, list, defects);
 }
 
-pub(super) fn graph<G: Neighbours>(graph: &G, defects: &Defects) {
+pub(super) fn graph<G: Neighbours>(graph: &G, list: &List, defects: &Defects) {
+    orders::graph(graph, list);
     if defects.degenerate_faces == 0 {
         assert_eq!(degrees::degrees(graph), defects.degrees);
     }
@@ -79,7 +89,7 @@ pub(super) fn graph<G: Neighbours>(graph: &G, defects: &Defects) {
     }
 }
 
-pub(super) fn edge_map<M: EdgeMap>(mesh: &M, defects: &Defects) {
+pub(super) fn edge_map<M: EdgeMap>(mesh: &M, _: &List, defects: &Defects) {
     assert_eq!(mesh.edge_count(), defects.edges);
     for e in mesh.edges() {
         let h = mesh.half_edge(e);
@@ -89,7 +99,7 @@ pub(super) fn edge_map<M: EdgeMap>(mesh: &M, defects: &Defects) {
     }
 }
 
-pub(super) fn boundaries<M: Boundaries>(mesh: &M, defects: &Defects) {
+pub(super) fn boundaries<M: Boundaries>(mesh: &M, _: &List, defects: &Defects) {
     assert_eq!(Some(mesh.curve_count()), defects.boundary_loops);
     let mut covered = 0;
     for c in mesh.curves() {
@@ -99,4 +109,13 @@ pub(super) fn boundaries<M: Boundaries>(mesh: &M, defects: &Defects) {
         covered += curve.len();
     }
     assert_eq!(covered, defects.boundary_edges);
+}
+
+/// What every algorithm promises where faces may be degenerate: it ends, and no more is said of its answer.
+pub(super) fn of_any_faces<M: Incidence>(mesh: &M, list: &List) {
+    orders::topology(mesh, list);
+    orders::graph(mesh, list);
+    placed::topology(mesh, list);
+    fields::of_any_faces(mesh, list);
+    placed::of_any_faces(mesh, list);
 }

@@ -40,7 +40,7 @@ macro_rules! every {
                     laws::footprint(&case, &mesh);
                     $(every!(@ $has case mesh);)*
                 }
-                $(algorithms::$has(&mesh, defects);)*
+                $(algorithms::$has(&mesh, list, defects);)*
             })+
         }
 
@@ -67,15 +67,19 @@ pub(super) fn adaptors(list: &List, defects: &Defects) {
     laws::adjacency(&case, &searched);
     laws::incidence(&case, &searched);
     laws::graph(&case, &searched);
+    if defects.degenerate_faces == 0 {
+        algorithms::incidence(&searched, list, defects);
+    }
+    algorithms::of_any_faces(&searched, list);
     let with_opposites = WithOpposites::new(&soup);
     let several_fans = naive::error(list.vertices, &list.faces, &[Flaw::SeveralFans]);
     assert_eq!(with_opposites.as_ref().err(), several_fans.as_ref());
     let Ok(mesh) = with_opposites else { return };
     laws::adjacency(&case, &mesh);
-    algorithms::adjacency(&mesh, defects);
+    algorithms::adjacency(&mesh, list, defects);
     let with_outgoing = WithOutgoing::new(&mesh);
     assert_eq!(with_outgoing.as_ref().err(), naive::error(list.vertices, &list.faces, &[]).as_ref());
     let Ok(mesh) = with_outgoing else { return };
     laws::incidence(&case, &mesh);
-    algorithms::incidence(&mesh, defects);
+    algorithms::incidence(&mesh, list, defects);
 }

@@ -16,7 +16,8 @@ pub(super) fn mended(list: &List, before: &Defects) {
     if repaired.is_unchanged() {
         return;
     }
-    let mended = List { vertices: repaired.vertex_count, faces: repaired.faces };
+    let positions = repaired.carry_vertices(&list.positions);
+    let mended = List { vertices: repaired.vertex_count, faces: repaired.faces, positions };
     backends::every(&mended, &Defects::of(mended.vertices, &mended.faces));
 }
 

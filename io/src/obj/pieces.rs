@@ -24,7 +24,7 @@ pub(crate) fn read(file: impl Read + Send) -> Option<Triangles> {
     read_pieces(file, PIECE)
 }
 
-fn read_pieces(file: impl Read, size: usize) -> Option<Triangles> {
+pub(crate) fn read_pieces(file: impl Read, size: usize) -> Option<Triangles> {
     let mut reader = Reader::new(Numbering::of_file(u32::MAX));
     let mut pieces = Pieces::new(file, size);
     let (mut piece, mut next) = (Piece::default(), Piece::default());

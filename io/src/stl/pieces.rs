@@ -17,7 +17,7 @@ pub(crate) fn read(file: impl Read, length: u64, weld: bool) -> Option<Triangles
     read_pieces(file, length, weld, PIECE)
 }
 
-fn read_pieces(mut file: impl Read, length: u64, weld: bool, size: usize) -> Option<Triangles> {
+pub(crate) fn read_pieces(mut file: impl Read, length: u64, weld: bool, size: usize) -> Option<Triangles> {
     let mut header = [0; HEADER];
     file.read_exact(&mut header).ok()?;
     let count = usize::try_from(declared(&header)?).ok().filter(|count| *count <= MOST)?;
