@@ -74,12 +74,23 @@ impl<'a> Joiner<'a> {
         let (r, s) = (HalfEdgeId::new(root), HalfEdgeId::new(h));
         let is_opposite = corner::origin(self.faces, root) != corner::origin(self.faces, h);
         if is_opposite && self.opposite[root].get().is_none() {
-            self.opposite[root] = Slot::some(s);
-            self.opposite[h] = Slot::some(r);
+            self.pair(root, h);
             Ok(())
         } else {
             memory::push(&mut self.extra, (r, s))
         }
+    }
+
+    /// `h` is the first to run back along the edge of `root`.
+    #[inline(always)]
+    pub(super) fn pair(&mut self, root: usize, h: usize) {
+        self.opposite[root] = Slot::some(HalfEdgeId::new(h));
+        self.opposite[h] = Slot::some(HalfEdgeId::new(root));
+    }
+
+    /// `h` lies along the edge of `root` as well, and does not pair.
+    pub(super) fn add(&mut self, root: usize, h: usize) -> Result<(), BuildError> {
+        memory::push(&mut self.extra, (HalfEdgeId::new(root), HalfEdgeId::new(h)))
     }
 
     pub(super) fn finish(mut self) -> Result<Paired, BuildError> {

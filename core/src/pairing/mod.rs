@@ -8,6 +8,7 @@ mod counting_sort;
 mod hash;
 mod joiner;
 mod paper_hash;
+mod partition;
 mod quadratic;
 
 use crate::{BuildError, HalfEdgeId, Slot};
@@ -38,12 +39,14 @@ pub enum Pairing {
     /// mesh where faces that are near in the mesh are near in the list. Falls back to `CountingSort` where lists get long,
     /// so it is never worse than that by more than a constant.
     Chain,
+    /// Entries dealt into parts of the size of the cache by the lower vertex, then lists within each.
+    Partition,
 }
 
 impl Pairing {
     /// Every strategy there is, but for `Auto`.
-    pub const ALL: [Pairing; 5] =
-        [Self::Quadratic, Self::PaperHash, Self::Hash, Self::CountingSort, Self::Chain];
+    pub const ALL: [Pairing; 6] =
+        [Self::Quadratic, Self::PaperHash, Self::Hash, Self::CountingSort, Self::Chain, Self::Partition];
 
     /// The strategy that `Auto` takes for this input, by its counts and a sample of its faces. O(1).
     pub fn choose(vertex_count: usize, faces: &[[u32; 3]]) -> Pairing {
@@ -69,6 +72,7 @@ impl fmt::Display for Pairing {
             Self::Hash => "hash",
             Self::CountingSort => "counting-sort",
             Self::Chain => "chain",
+            Self::Partition => "partition",
         })
     }
 }
@@ -115,6 +119,7 @@ fn pair_checked(vertex_count: usize, faces: &[[u32; 3]], pairing: Pairing) -> Re
         Pairing::PaperHash => paper_hash::pair(faces),
         Pairing::Hash => hash::pair(faces),
         Pairing::CountingSort => counting_sort::pair(vertex_count, faces),
+        Pairing::Partition => partition::pair(vertex_count, faces),
         Pairing::Auto | Pairing::Chain => chain::pair(vertex_count, faces),
     }
 }
