@@ -1,16 +1,28 @@
 //! What can be said on the command line.
 
 mod compare;
+mod contours;
 mod convert;
+mod deform;
 mod formats;
-pub(crate) use formats::{is_written, written};
+mod heights;
 mod inspect;
 mod mesh_file;
+mod minima;
+mod query;
+mod region;
 
 pub(crate) use compare::Compare;
+pub(crate) use contours::Contours;
 pub(crate) use convert::Convert;
+pub(crate) use deform::{At, Deform, Fix};
+pub(crate) use formats::{is_written, written};
+pub(crate) use heights::Heights;
 pub(crate) use inspect::Inspect;
 pub(crate) use mesh_file::MeshFile;
+pub(crate) use minima::Minima;
+pub(crate) use query::{GRAPH, Query};
+pub(crate) use region::{Region, Seed};
 
 use crate::output::{self, Status};
 use clap::{CommandFactory, Parser, Subcommand};
@@ -42,6 +54,11 @@ pub(crate) enum Command {
     Inspect(Inspect),
     Convert(Convert),
     Compare(Compare),
+    Query(Query),
+    Minima(Minima),
+    Region(Region),
+    Contours(Contours),
+    Deform(Deform),
     Completions(Completions),
     Man(Man),
 }
@@ -80,6 +97,9 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Inspect(inspect) => inspect.check(),
         Command::Convert(convert) => convert.check(),
         Command::Compare(compare) => compare.check(),
+        Command::Query(query) => query.check(),
+        Command::Contours(_) | Command::Minima(_) | Command::Region(_) => {}
+        Command::Deform(deform) => deform.check(),
         Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))

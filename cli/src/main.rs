@@ -1,20 +1,35 @@
 //! onering at the shell: `inspect` tells what is in a mesh file, `convert` makes another one of it, `compare` measures
-//! the data structures on it.
+//! the data structures on it, `query` asks one what is around an element, `contours`, `minima` and `region` look for what
+//! its heights have, `deform` presses it.
 //! Thin over the library: what it prints, the crates `onering` and `onering-io` can be asked for.
 
 mod args;
 mod compare;
+mod contours;
 mod convert;
 mod default_mesh;
+mod deform;
 mod failure;
 mod heap;
 mod input;
 mod inspect;
+mod level;
+mod machine;
 mod made;
+mod minima;
 mod on_backend;
 mod output;
+mod picture;
 mod progress;
+mod query;
+mod random;
+mod region;
 mod shell;
+mod surface;
+mod svg_map;
+mod tables;
+mod timing;
+mod up;
 
 use args::Command;
 use output::Status;
@@ -31,6 +46,11 @@ fn main() -> ExitCode {
         Some(Command::Inspect(options)) => inspect::run(&options),
         Some(Command::Convert(options)) => convert::run(&options),
         Some(Command::Compare(options)) => compare::run(&options),
+        Some(Command::Query(options)) => query::run(&options),
+        Some(Command::Contours(options)) => contours::run(&options),
+        Some(Command::Minima(options)) => minima::run(&options),
+        Some(Command::Region(options)) => region::run(&options),
+        Some(Command::Deform(options)) => deform::run(&options),
         Some(Command::Completions(options)) => shell::completions(&options),
         Some(Command::Man(options)) => shell::man(&options),
     }))

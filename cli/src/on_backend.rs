@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::input;
 use onering::registry::BACKENDS;
 use onering::{BuildError, FromFaces, Incidence, Searched, SharedVertex, WithOutgoing};
-use onering_io::{Options, Triangles};
+use onering_io::{Format, Options, Triangles};
 
 /// The smallest that takes everything but degenerate faces.
 pub(crate) const DEFAULT: &str = "directed-edges-small";
@@ -26,14 +26,28 @@ pub(crate) fn names() -> impl Iterator<Item = &'static str> {
     with_faces.map(|backend| backend.name).chain([SEARCHED])
 }
 
+/// Whether this one of [`names`] searches all faces for what lies across an edge.
+pub(crate) fn searches(name: &str) -> bool {
+    let row = BACKENDS.iter().find(|backend| backend.name == name);
+    row.is_none_or(|backend| !backend.traits.contains(&"adjacency"))
+}
+
 /// The mesh of the command line, welded and repaired where that is asked for; `made` where no file is named.
 pub(crate) fn read(options: &MeshFile, made: fn() -> Triangles) -> Result<Triangles, Failure> {
-    let Some(path) = &options.file else { return Ok(made()) };
+    read_with_format(options, made).map(|(mesh, _)| mesh)
+}
+
+/// As [`read`], with the format of the file where there is one.
+pub(crate) fn read_with_format(
+    options: &MeshFile,
+    made: fn() -> Triangles,
+) -> Result<(Triangles, Option<Format>), Failure> {
+    let Some(path) = &options.file else { return Ok((made(), None)) };
     let bytes = input::bytes_of(path).map_err(Failure::Input)?;
-    let (mut mesh, _) =
+    let (mut mesh, format) =
         input::mesh_in(&bytes, path, options.from, Options::default()).map_err(Failure::Input)?;
     Change::apply(options.weld, options.repair, &input::name_of(path), &mut mesh)?;
-    Ok(mesh)
+    Ok((mesh, Some(format)))
 }
 
 /// Builds the structure of this name, which is one of [`names`], and does the work on it. What a structure lacks is

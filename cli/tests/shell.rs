@@ -7,14 +7,25 @@ use onering_io::Format;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 5] = ["inspect", "convert", "compare", "completions", "man"];
+const COMMANDS: [&str; 10] = [
+    "inspect",
+    "convert",
+    "compare",
+    "query",
+    "minima",
+    "region",
+    "contours",
+    "deform",
+    "completions",
+    "man",
+];
 
 /// Every `--option` that the help of a command speaks of at the start of a line.
 fn options(command: &str) -> BTreeSet<String> {
     let help = onering([command, "--help"]).out;
     let starts =
         help.lines().filter_map(|line| line.trim_start().split("--").nth(1).filter(|_| is_option(line)));
-    starts.map(|rest| rest.split([' ', ',']).next().unwrap().to_owned()).collect()
+    starts.map(|rest| rest.split([' ', ',', '[']).next().unwrap().to_owned()).collect()
 }
 
 fn is_option(line: &str) -> bool {

@@ -24,6 +24,16 @@ pub(crate) fn is_least<M: Adjacency + ?Sized>(mesh: &M, h: M::HalfEdge) -> bool 
     mesh.edge_fan(h).nth(1).is_none_or(|least_other| h < least_other)
 }
 
+/// The half-edge of the other face at an edge of exactly two faces, whichever way it runs.
+#[inline]
+pub(crate) fn across<M: Adjacency + ?Sized>(mesh: &M, h: M::HalfEdge) -> Option<M::HalfEdge> {
+    mesh.opposite(h).or_else(|| {
+        let mut others = mesh.edge_fan(h).skip(1);
+        let g = others.next()?;
+        others.next().is_none().then_some(g)
+    })
+}
+
 /// Number of undirected edges. O(half-edges); where the mesh is an
 /// [`EdgeMap`](crate::EdgeMap), its own `edge_count` is O(1).
 ///

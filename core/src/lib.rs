@@ -18,8 +18,11 @@
 //! [`WithOpposites`], [`WithOutgoing`] and [`Searched`] add.
 //!
 //! - Input: [`Defects`] names what is wrong with a list of triangles, [`repair()`] mends it.
-//! - Algorithms: [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`], [`umbrella`], [`orientation`],
-//!   [`euler`], [`degrees`].
+//! - Algorithms on connectivity: [`relations`], [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`],
+//!   [`umbrella`], [`orientation`], [`euler`], [`degrees`], [`dual`], [`submesh`].
+//! - Algorithms that take positions: [`normals`], [`measure`], [`curvature`], [`smoothing`], [`distance`], [`nearest`],
+//!   [`spring`], [`subdivision`], [`holes`], [`reorder`].
+//! - Algorithms that take a scalar field: [`critical`], [`region`], [`contours`].
 //! - For the author of a structure: [`pairing`], [`fans`], [`ring`], [`corner`], [`memory`], and the laws in
 //!   `conformance` (a feature).
 #![no_std]
@@ -80,6 +83,7 @@ mod reference;
 mod searched;
 mod slot;
 mod topology;
+mod triangle;
 mod with_opposites;
 mod with_outgoing;
 

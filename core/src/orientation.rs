@@ -1,14 +1,6 @@
 //! Whether faces agree in orientation, and whether they can be made to.
-use crate::{Adjacency, Map};
+use crate::{Adjacency, Map, edges::across};
 use alloc::vec::Vec;
-
-/// The half-edge of the other face at an edge of exactly two faces, whichever way it runs.
-#[inline]
-fn across<M: Adjacency + ?Sized>(mesh: &M, h: M::HalfEdge) -> Option<M::HalfEdge> {
-    let mut others = mesh.edge_fan(h).skip(1);
-    let g = others.next()?;
-    others.next().is_none().then_some(g)
-}
 
 /// Whether the faces agree as they are: every edge of exactly two faces is run along in both directions.
 /// Edges of three or more faces are not asked. O(half-edges).

@@ -1,1 +1,129 @@
 //! Regions: faces grown from a seed.
+use crate::{Adjacency, Handle, Map, Topology, vector, vector::Vector};
+use alloc::vec::Vec;
+
+mod stalactite;
+
+pub use stalactite::{StalactiteOptions, stalactite};
+
+/// A set of faces, and the vertices that they have: what [`grow`] and [`stalactite()`] give.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Region<F, V> {
+    faces: Vec<F>,
+    vertices: Vec<V>,
+}
+
+impl<F: Handle, V: Handle> Region<F, V> {
+    /// The region of these faces, each given once. O(n log n).
+    fn new<M: Topology<Face = F, Vertex = V> + ?Sized>(mesh: &M, faces: Vec<F>) -> Self {
+        let mut vertices: Vec<V> = faces.iter().flat_map(|&f| mesh.face_vertices(f)).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        Self { faces, vertices }
+    }
+
+    /// The faces, each once, in the order in which they were reached.
+    pub fn faces(&self) -> &[F] {
+        &self.faces
+    }
+
+    /// The vertices of the faces, each once, ascending.
+    pub fn vertices(&self) -> &[V] {
+        &self.vertices
+    }
+
+    /// The area of the faces, in the unit of the positions squared. O(faces of the region).
+    pub fn area<M>(&self, mesh: &M, positions: &Map<V, [f32; 3]>) -> f64
+    where
+        M: Topology<Face = F, Vertex = V> + ?Sized,
+    {
+        self.faces.iter().map(|&f| 0.5 * vector::length(normal(mesh, positions, f))).sum()
+    }
+
+    /// The least and the largest coordinates. Of a region without faces, infinity and minus infinity: a box
+    /// that has nothing in it. O(vertices of the region).
+    pub fn bounding_box(&self, positions: &Map<V, [f32; 3]>) -> [[f32; 3]; 2] {
+        let nothing = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
+        self.vertices.iter().map(|&v| positions[v]).fold(nothing, |[min, max], p| {
+            [0, 1].map(|side| [0, 1, 2].map(|i| if side == 0 { min[i].min(p[i]) } else { max[i].max(p[i]) }))
+        })
+    }
+}
+
+/// The normal of `f`, twice as long as its area.
+pub(crate) fn normal<M: Topology + ?Sized>(
+    mesh: &M,
+    positions: &Map<M::Vertex, [f32; 3]>,
+    f: M::Face,
+) -> Vector {
+    let [a, b, c] = mesh.face_vertices(f).map(|v| vector::of(positions[v]));
+    vector::cross(vector::minus(b, a), vector::minus(c, a))
+}
+
+/// The faces that are reached from seeds across edges, as far as a predicate lets them.
+///
+/// # Arguments
+/// The first faces, which are in the region whatever the predicate says, and the predicate. It is asked
+/// `admits(h, g)` for two half-edges along one edge, `h` of a face in the region and `g` of one that is not
+/// yet: may the region go on from the one face to the other? It can be asked of one face from several sides,
+/// until it says so.
+///
+/// # Returns
+/// The region, breadth first. It goes on across edges of three and more faces, and across faces that disagree
+/// in orientation, if it may.
+///
+/// # Complexity
+/// O(faces of the region), and one byte of scratch for each face of the mesh.
+///
+/// # Panics
+/// If a seed is out of range.
+///
+/// # Example
+/// ```
+/// # use onering::CheL1 as Mesh;
+/// use onering_core::{FaceId, FromFaces, Handle, Topology, region};
+/// let strip = Mesh::from_faces(6, &[[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 5]])?;
+/// let seed = FaceId::new(0);
+/// let region = region::grow(&strip, [seed], |_, g| strip.face(g) != FaceId::new(2));
+/// assert_eq!(region.faces(), [FaceId::new(0), FaceId::new(1)]);
+/// assert_eq!(region.vertices().len(), 4);
+/// # Ok::<(), onering_core::BuildError>(())
+/// ```
+///
+/// # Source
+/// The growth by adjacency of Figueiredo et al. (2014), section 6.2, with the condition left to the caller.
+pub fn grow<M: Adjacency + ?Sized>(
+    mesh: &M,
+    seeds: impl IntoIterator<Item = M::Face>,
+    admits: impl FnMut(M::HalfEdge, M::HalfEdge) -> bool,
+) -> Region<M::Face, M::Vertex> {
+    Region::new(mesh, grown(mesh, seeds, admits))
+}
+
+/// The faces of [`grow`].
+fn grown<M: Adjacency + ?Sized>(
+    mesh: &M,
+    seeds: impl IntoIterator<Item = M::Face>,
+    mut admits: impl FnMut(M::HalfEdge, M::HalfEdge) -> bool,
+) -> Vec<M::Face> {
+    let mut is_in: Map<M::Face, bool> = Map::filled(mesh.face_count(), false);
+    let mut faces: Vec<M::Face> = Vec::new();
+    for f in seeds {
+        if !core::mem::replace(&mut is_in[f], true) {
+            faces.push(f);
+        }
+    }
+    let mut next = 0;
+    while let Some(&f) = faces.get(next) {
+        next += 1;
+        for h in mesh.face_half_edges(f) {
+            for g in mesh.edge_fan(h).skip(1) {
+                if !is_in[mesh.face(g)] && admits(h, g) {
+                    is_in[mesh.face(g)] = true;
+                    faces.push(mesh.face(g));
+                }
+            }
+        }
+    }
+    faces
+}

@@ -20,7 +20,7 @@ mod weld;
 
 pub use error::RepairError;
 pub use report::{Dropped, Repaired};
-pub use weld::{Distinct, Welded, weld, weld_into};
+pub use weld::{Welded, Welder, weld, weld_into};
 
 use crate::defects::MAX_FACES;
 use crate::defects::duplicates::Duplicates;

@@ -152,15 +152,26 @@ impl<L: Iterator, R: Iterator<Item = L::Item>> Iterator for Either<L, R> {
     }
 }
 
-/// All neighbours of `v`, each once, whatever meets there: the edge to each is told at its least half-edge.
+/// The edges at `v`, each once, whatever meets there: an edge is told at its least half-edge, out of `v` or into it.
+#[inline]
+pub(crate) fn each_edge_once<T: Incidence + ?Sized>(
+    mesh: &T,
+    v: T::Vertex,
+) -> impl Iterator<Item = T::HalfEdge> {
+    mesh.star(v).flat_map(move |h| {
+        let p = mesh.prev(h);
+        let out = edges::is_least(mesh, h).then_some(h);
+        // An edge from `v` to `v`, of a degenerate face, is out of `v` already.
+        let back = (edges::is_least(mesh, p) && mesh.origin(p) != v).then_some(p);
+        out.into_iter().chain(back)
+    })
+}
+
+/// All neighbours of `v`, each once: the other ends of its edges.
 pub(crate) fn each_neighbour_once<T: Incidence + ?Sized>(
     mesh: &T,
     v: T::Vertex,
 ) -> impl Iterator<Item = T::Vertex> {
-    mesh.star(v).flat_map(move |h| {
-        let p = mesh.prev(h);
-        let out = edges::is_least(mesh, h).then(|| mesh.target(h));
-        let back = edges::is_least(mesh, p).then(|| mesh.origin(p));
-        out.into_iter().chain(back)
-    })
+    let other_end = move |h| if mesh.origin(h) == v { mesh.target(h) } else { mesh.origin(h) };
+    each_edge_once(mesh, v).map(other_end)
 }

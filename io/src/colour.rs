@@ -22,7 +22,7 @@ const VIRIDIS: [u32; 33] = [
 ];
 
 /// Red, green and blue in sRGB.
-pub(crate) type Rgb = [u8; 3];
+pub type Rgb = [u8; 3];
 
 /// The colours of one attribute.
 pub(crate) enum Colours<'a> {
@@ -66,7 +66,19 @@ fn on_scale(value: f64, least: f64, range: f64) -> Rgb {
         _ if value == f64::INFINITY => 1.0,
         _ => 0.0,
     };
-    let place = share.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
+    viridis(share)
+}
+
+/// The colour of the scale viridis (Smith and van der Walt, 2015) at a share of its length, in sRGB: dark violet at 0,
+/// yellow at 1. Shares outside are as the nearer end, NaN as 0.
+///
+/// ```
+/// assert_eq!([-1.0, 0.5, 1.0].map(onering_io::colour::viridis), [[68, 1, 84], [33, 144, 140], [253, 231, 37]]);
+/// assert_eq!(onering_io::colour::viridis(f64::NAN), [68, 1, 84]);
+/// ```
+pub fn viridis(share: f64) -> Rgb {
+    let share = if share > 0.0 { share.min(1.0) } else { 0.0 };
+    let place = share * (VIRIDIS.len() - 1) as f64;
     let below = place as usize;
     let [from, to] = [below, (below + 1).min(VIRIDIS.len() - 1)].map(|i| VIRIDIS[i].to_be_bytes());
     std::array::from_fn(|c| {
@@ -114,12 +126,12 @@ fn linear_of_oklab([l, a, b]: [f64; 3]) -> [f64; 3] {
 }
 
 /// The transfer function of sRGB (IEC 61966-2-1), both in 0 to 1.
-fn srgb_of_linear(linear: f64) -> f64 {
+pub fn srgb_of_linear(linear: f64) -> f64 {
     if linear <= 0.003_130_8 { linear * 12.92 } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// Linear light for each 8-bit value of sRGB. In 16 bits: in 8 the darkest 13 would be two.
-pub(crate) fn linear_table() -> [u16; 256] {
+pub fn linear_table() -> [u16; 256] {
     std::array::from_fn(|value| {
         let srgb = value as f64 / 255.0;
         let linear = if srgb <= 0.040_45 { srgb / 12.92 } else { ((srgb + 0.055) / 1.055).powf(2.4) };

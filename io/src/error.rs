@@ -67,6 +67,14 @@ pub enum Error {
         /// The file, where [`save`](crate::save) was asked for one.
         path: Option<PathBuf>,
     },
+    /// Lines were asked for in a format that has none, or in which they are not written.
+    #[error("{}lines and points are written as .obj and .ply, not as {format}", Colon(path))]
+    NoLines {
+        /// What was asked for.
+        format: Format,
+        /// The file, where [`Lines::save`](crate::Lines::save) was asked for one.
+        path: Option<PathBuf>,
+    },
     /// The mesh could not be written. Where it is a file, what was there before is still there.
     #[error("{}{source}", Colon(path))]
     Write {
@@ -96,6 +104,7 @@ impl Error {
             | Self::Unsupported { path, .. }
             | Self::Gzip { path, .. }
             | Self::ReadOnly { path, .. }
+            | Self::NoLines { path, .. }
             | Self::Write { path, .. }
             | Self::OutOfMemory { path, .. } => *path = Some(file.to_owned()),
         }

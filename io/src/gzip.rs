@@ -22,7 +22,7 @@ const SMALL: usize = 16 << 20;
 /// # Errors
 /// [`Error::Gzip`] where they are damaged, or grow beyond all measure: to more than 100 times their size, and 16 MiB.
 pub fn unpacked(bytes: &[u8]) -> Result<Cow<'_, [u8]>, Error> {
-    if !bytes.starts_with(MAGIC) {
+    if !is_packed(bytes) {
         return Ok(Cow::Borrowed(bytes));
     }
     let limit = bytes.len().saturating_mul(MOST_GROWTH).max(SMALL);
@@ -44,6 +44,11 @@ pub fn unpacked(bytes: &[u8]) -> Result<Cow<'_, [u8]>, Error> {
         reserve(&mut unpacked, length)?;
         unpacked.extend_from_slice(&piece[..length]);
     }
+}
+
+/// Whether a file that begins like this is packed.
+pub(crate) fn is_packed(start: &[u8]) -> bool {
+    start.starts_with(MAGIC)
 }
 
 fn damaged(problem: String) -> Error {

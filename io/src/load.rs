@@ -1,10 +1,11 @@
 //! Files and bytes to triangles, whatever the format.
 
-use std::fs;
-use std::io;
+use std::fs::{self, File};
+use std::io::{self, Read};
 use std::path::Path;
 
-use crate::{Error, Format, Triangles, gzip};
+use crate::text::without_byte_order_mark;
+use crate::{Error, Format, Triangles, gzip, obj, stl};
 
 /// What a caller may choose of how files are read.
 ///
@@ -26,6 +27,12 @@ impl Default for Options {
     }
 }
 
+/// Bytes of a file that is worth reading in pieces.
+const LARGE: u64 = 1 << 20;
+
+/// Bytes that show the format of such a file.
+const START: usize = 1 << 16;
+
 /// What the reader of a format is asked for, besides the bytes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Request<'a> {
@@ -44,7 +51,33 @@ impl Options {
     /// As [`load`].
     pub fn load(&self, path: impl AsRef<Path>) -> Result<Triangles, Error> {
         let path = path.as_ref();
-        self.read_at(&bytes_of(path)?, path)
+        match self.load_in_pieces(path) {
+            Some(mesh) => Ok(mesh),
+            None => self.read_at(&bytes_of(path)?, path),
+        }
+    }
+
+    /// A large OBJ or binary STL file, of which only a piece at a time is in memory. `None` for any other file, and
+    /// for one with something wrong: that is to be read as a whole.
+    fn load_in_pieces(&self, path: &Path) -> Option<Triangles> {
+        let about = fs::metadata(path).ok().filter(fs::Metadata::is_file)?;
+        let length = about.len();
+        if length < LARGE {
+            return None;
+        }
+        let mut file = File::open(path).ok()?;
+        let mut start = vec![0; START];
+        file.read_exact(&mut start).ok()?;
+        if gzip::is_packed(&start) || matches!(Format::of_content(&start), Some(Format::Glb | Format::Ring)) {
+            return None;
+        }
+        if stl::has_binary_length(&start, length) {
+            return stl::pieces::read(start.as_slice().chain(file), length, self.weld_stl);
+        }
+        // The last word of what is only the start of a file may be only the start of a word.
+        let lines = &start[..memchr::memrchr(b'\n', &start).map_or(0, |end| end + 1)];
+        let is_obj = Format::of_content(lines) == Some(Format::Obj);
+        is_obj.then(|| obj::pieces::read(without_byte_order_mark(&start).chain(file)))?
     }
 
     /// [`read_at`] with these options.
@@ -95,7 +128,8 @@ impl Options {
 ///
 /// # Time and memory
 /// Linear in the bytes of the file and its buffers, whatever is in them; they are in memory as a whole while
-/// they are read. A gzip file counts as what is in it, which is at most 100 times as large, or 16 MiB; but where data can
+/// they are read. Of an OBJ or binary STL file of 1 MiB or more only a piece is, unless something is wrong with
+/// it: mostly less than 1 MiB and at most 48, and with the feature `parallel` 4 for each thread besides. A gzip file counts as what is in it, which is at most 100 times as large, or 16 MiB; but where data can
 /// be named again and again, as the packed file. For each byte of the file, the result has at most so many:
 ///
 /// | format | bytes | reached by |

@@ -14,21 +14,24 @@
 #[cfg(feature = "parallel")]
 mod append;
 mod keyword;
+mod lines;
 mod numbering;
 #[cfg(feature = "parallel")]
 mod parallel;
+pub(crate) mod pieces;
 mod plain;
 mod writer;
 
 pub(crate) use self::keyword::begins_with_keyword;
 use self::keyword::{element, is_other};
+pub(crate) use self::lines::write as write_lines;
 use self::numbering::Numbering;
 pub(crate) use self::writer::write;
 use crate::error::quote;
 use crate::memory::push;
 use crate::number::{f32_of, index_prefix};
 use crate::polygons::Polygons;
-use crate::text::Scanner;
+use crate::text::{Scanner, without_byte_order_mark};
 use crate::triangles::skip;
 use crate::{Error, Format, Note, Place, Reason, Skipped, Triangles};
 
@@ -53,17 +56,20 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, Error> {
 }
 
 fn read_in_order(bytes: &[u8]) -> Result<Triangles, Error> {
-    match Reader::new(bytes, Numbering::of_file(u32::MAX)).run() {
-        Ok(reader) if reader.corner_bound as usize <= reader.positions.len() => return reader.finish(),
+    let mut reader = Reader::new(Numbering::of_file(u32::MAX));
+    match reader.lines(without_byte_order_mark(bytes)) {
+        Ok(()) if reader.has_all_corners() => return reader.finish(),
         Err(error @ Error::OutOfMemory { .. }) => return Err(error),
         // What was read goes before it is read again.
-        bad => drop(bad),
+        _ => drop(reader),
     }
     // Whether a face's corners exist is known at the end only. Instead of remembering lines in every
     // file, the few bad files are read twice: now each corner is checked where it stands.
     let count = u32::try_from(count_vertices(Scanner::new(bytes)))
         .map_err(|_| malformed(Place::File, Reason::TooMany))?;
-    Reader::new(bytes, Numbering::of_file(count)).run()?.finish()
+    let mut reader = Reader::new(Numbering::of_file(count));
+    reader.lines(without_byte_order_mark(bytes))?;
+    reader.finish()
 }
 
 fn count_vertices(mut scanner: Scanner<'_>) -> usize {
@@ -87,63 +93,65 @@ enum Corner {
     Beyond,
 }
 
-struct Reader<'a> {
-    scanner: Scanner<'a>,
+struct Reader {
     /// What corners are made of before the first line.
     numbering: Numbering,
+    /// The line behind what was read.
+    next_line: usize,
     positions: Vec<[f32; 3]>,
     polygons: Polygons,
     /// One more than the highest corner of any face.
     corner_bound: u32,
+    /// The lowest corner of faces that were skipped, among those that are counted back.
+    lowest_skipped: u32,
     notes: Vec<Note>,
     /// Lines that are neither empty nor a comment.
     statements: usize,
 }
 
-impl<'a> Reader<'a> {
-    fn new(bytes: &'a [u8], numbering: Numbering) -> Self {
+impl Reader {
+    fn new(numbering: Numbering) -> Self {
         Self {
-            scanner: Scanner::new(bytes),
             numbering,
+            next_line: 1,
             positions: Vec::new(),
             polygons: Polygons::default(),
             corner_bound: 0,
+            lowest_skipped: u32::MAX,
             notes: Vec::new(),
             statements: 0,
         }
     }
 
-    fn run(mut self) -> Result<Self, Error> {
-        self.lines()?;
-        Ok(self)
-    }
-
-    fn lines(&mut self) -> Result<(), Error> {
-        while !self.scanner.is_at_end() {
-            if !self.plain_line()? {
-                self.line()?;
+    /// Reads the next lines of the file.
+    fn lines(&mut self, text: &[u8]) -> Result<(), Error> {
+        let mut scanner = Scanner::of_lines(text, self.next_line);
+        while !scanner.is_at_end() {
+            if !self.plain_line(&mut scanner)? {
+                self.line(&mut scanner)?;
             }
-            self.scanner.end_line();
+            scanner.end_line();
         }
+        self.next_line = scanner.line();
         Ok(())
     }
 
     /// Reads any line. Apart from the few instructions that most lines need.
     #[inline(never)]
-    fn line(&mut self) -> Result<(), Error> {
-        let line = Place::Line(self.scanner.line());
-        match self.scanner.word() {
-            Some(keyword) => self.statement(keyword, line),
+    fn line(&mut self, scanner: &mut Scanner<'_>) -> Result<(), Error> {
+        let line = Place::Line(scanner.line());
+        match scanner.word() {
+            Some(keyword) => self.statement(keyword, scanner, line),
             None => Ok(()),
         }
     }
 
     #[inline(always)]
-    fn statement(&mut self, keyword: &[u8], line: Place) -> Result<(), Error> {
+    fn statement(&mut self, keyword: &[u8], scanner: &mut Scanner<'_>, line: Place) -> Result<(), Error> {
         self.statements += 1;
         match keyword {
-            b"v" => self.vertex(line)?,
-            b"f" | b"fo" => self.face(line)?,
+            b"v" => self.vertex(scanner, line)?,
+            b"f" | b"fo" => self.face(scanner, line)?,
             b"vn" | b"vt" => {}
             _ => self.other(keyword, line),
         }
@@ -151,11 +159,10 @@ impl<'a> Reader<'a> {
     }
 
     #[inline(always)]
-    fn vertex(&mut self, line: Place) -> Result<(), Error> {
+    fn vertex(&mut self, scanner: &mut Scanner<'_>, line: Place) -> Result<(), Error> {
         let mut position = [0.0; 3];
         for (found, coordinate) in position.iter_mut().enumerate() {
-            let word =
-                self.scanner.word().ok_or_else(|| malformed(line, Reason::TooFewCoordinates { found }))?;
+            let word = scanner.word().ok_or_else(|| malformed(line, Reason::TooFewCoordinates { found }))?;
             *coordinate =
                 f32_of(word).ok_or_else(|| malformed(line, Reason::BadNumber { word: quote(word) }))?;
         }
@@ -163,13 +170,16 @@ impl<'a> Reader<'a> {
     }
 
     #[inline(always)]
-    fn face(&mut self, line: Place) -> Result<(), Error> {
+    fn face(&mut self, scanner: &mut Scanner<'_>, line: Place) -> Result<(), Error> {
         let mut polygon = self.polygons.open();
         let mut bound = 0;
-        let mut beyond = None;
-        while let Some(word) = self.scanner.word() {
+        let (mut beyond, mut lowest) = (None, u32::MAX);
+        while let Some(word) = scanner.word() {
             let corner = match self.corner(word, line)? {
-                Corner::Back(corner) => corner,
+                Corner::Back(corner) => {
+                    lowest = lowest.min(corner);
+                    corner
+                }
                 Corner::Absolute(corner) => {
                     bound = bound.max(corner.saturating_add(1));
                     corner
@@ -182,6 +192,7 @@ impl<'a> Reader<'a> {
             self.polygons.corner(&mut polygon, corner)?;
         }
         if polygon.size < 3 {
+            self.lowest_skipped = self.lowest_skipped.min(lowest);
             skip(&mut self.notes, Skipped::ShortFaces, 1, line);
             return Ok(());
         }
@@ -216,6 +227,11 @@ impl<'a> Reader<'a> {
         } else if !is_other(keyword) {
             skip(&mut self.notes, Skipped::UnknownStatements, 1, line);
         }
+    }
+
+    /// Whether the corners that are not counted back exist.
+    fn has_all_corners(&self) -> bool {
+        self.corner_bound as usize <= self.positions.len()
     }
 
     /// The first unknown line of a file that is not OBJ at all.

@@ -19,6 +19,7 @@ mod body;
 mod element;
 mod encoding;
 mod header;
+mod lines;
 mod role;
 mod rows;
 mod scalar;
@@ -29,6 +30,7 @@ use self::ascii::Ascii;
 use self::binary::Binary;
 use self::body::Body;
 use self::header::{Encoding, Header};
+pub(crate) use self::lines::write as write_lines;
 pub(crate) use self::writer::write;
 use crate::{Error, Format, Place, Reason, Triangles};
 

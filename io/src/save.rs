@@ -111,7 +111,10 @@ pub fn write<'a>(out: impl Write, mesh: impl Into<MeshRef<'a>>, format: Format) 
 }
 
 /// Has `write` fill the file that takes the place of the one at `path`.
-fn save_with(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<(), Error>) -> Result<(), Error> {
+pub(crate) fn save_with(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), Error>,
+) -> Result<(), Error> {
     let mut file = Replacement::create(path).map_err(not_written)?;
     if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("gz")) {
         let mut packed = GzEncoder::new(&mut file, Compression::default());
@@ -124,6 +127,6 @@ fn save_with(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<(), Error
 }
 
 /// A writer that refuses the mesh itself says so within.
-fn not_written(error: io::Error) -> Error {
+pub(crate) fn not_written(error: io::Error) -> Error {
     error.downcast().unwrap_or_else(|source| Error::Write { path: None, source })
 }

@@ -12,21 +12,26 @@
 //! - Normals, names and the two bytes behind each binary triangle are ignored.
 
 mod ascii;
+pub(crate) mod pieces;
 mod writer;
 
 pub(crate) use self::writer::write;
 use crate::memory::reserve;
 use crate::triangles::skip;
 use crate::{Error, Format, Note, Options, Place, Reason, Skipped, Triangles};
-use onering_core::repair::{Distinct, weld_into};
+use onering_core::repair::weld_into;
 use onering_core::{BuildError, memory};
+use std::ops::Range;
 
 const HEADER: usize = 84;
 const RECORD: usize = 50;
 
+/// More triangles have more corners than can be numbered.
+const MOST: usize = u32::MAX as usize / 3;
+
 /// Whether it is STL by its length, or begins with `solid`.
 pub(crate) fn looks_like_stl(bytes: &[u8]) -> bool {
-    has_binary_length(bytes) || ascii::begins_with_solid(bytes)
+    has_binary_length(bytes, bytes.len() as u64) || ascii::begins_with_solid(bytes)
 }
 
 /// Reads the triangles of an STL file. Linear in its size; see [`weld_into`] for files made to be slow.
@@ -52,11 +57,12 @@ pub fn read(bytes: &[u8], options: &Options) -> Result<Triangles, Error> {
 fn is_ascii(bytes: &[u8]) -> bool {
     // Beyond the header as well: a count may have none. The numbers of the first triangles do.
     let has_zero = || bytes.iter().take(512).any(|byte| *byte == 0);
-    !has_binary_length(bytes) && ascii::begins_with_solid(bytes) && !has_zero()
+    !has_binary_length(bytes, bytes.len() as u64) && ascii::begins_with_solid(bytes) && !has_zero()
 }
 
-fn has_binary_length(bytes: &[u8]) -> bool {
-    declared(bytes).is_some_and(|count| bytes.len() as u64 == length_of(count))
+/// Whether a file that begins like this has just the length that it declares.
+pub(crate) fn has_binary_length(start: &[u8], length: u64) -> bool {
+    declared(start).is_some_and(|count| length == length_of(count))
 }
 
 /// How many triangles a binary file says it has.
@@ -148,7 +154,7 @@ impl Corners for Vec<[f32; 3]> {
 
 fn triangles(corners: impl Corners, weld: bool, notes: Vec<Note>) -> Result<Triangles, Error> {
     let count = corners.triangle_count();
-    if count > u32::MAX as usize / 3 {
+    if count > MOST {
         return Err(malformed(Place::File, Reason::TooMany));
     }
     let (positions, faces) = if weld {
@@ -156,10 +162,15 @@ fn triangles(corners: impl Corners, weld: bool, notes: Vec<Note>) -> Result<Tria
     } else {
         let mut faces = Vec::new();
         reserve(&mut faces, count)?;
-        faces.extend((0..count as u32).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]));
+        faces.extend(unwelded_faces(0..count));
         (corners.into_positions()?, faces)
     };
     Ok(Triangles { notes, ..Triangles::new(positions, faces) })
+}
+
+/// These triangles, each with vertices of its own.
+fn unwelded_faces(triangles: Range<usize>) -> impl Iterator<Item = [u32; 3]> {
+    triangles.map(|f| [3 * f as u32, 3 * f as u32 + 1, 3 * f as u32 + 2])
 }
 
 type Arrays = (Vec<[f32; 3]>, Vec<[u32; 3]>);
@@ -167,10 +178,10 @@ type Arrays = (Vec<[f32; 3]>, Vec<[u32; 3]>);
 fn welded(corners: &impl Corners) -> Result<Arrays, Error> {
     let weld = || {
         let mut faces = memory::filled(corners.triangle_count(), [0; 3])?;
-        let vertices = weld_into(faces.as_flattened_mut(), |corner| corners.corner(corner))?;
-        Ok((vertices, faces))
+        let positions = weld_into(faces.as_flattened_mut(), |corner| corners.corner(corner))?;
+        Ok((positions, faces))
     };
-    let (Distinct { mut positions, .. }, faces) = weld().map_err(|error| match error {
+    let (mut positions, faces) = weld().map_err(|error| match error {
         BuildError::OutOfMemory { bytes } => Error::OutOfMemory { path: None, bytes },
         _ => malformed(Place::File, Reason::TooMany),
     })?;

@@ -31,12 +31,12 @@ const CLASS: [u8; 256] = {
 impl<'a> Scanner<'a> {
     /// At the first line, behind a byte order mark.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
-        Self::of_part(without_byte_order_mark(bytes))
+        Self::of_lines(without_byte_order_mark(bytes), 1)
     }
 
-    /// At the first line of a part of a file: what looks like a byte order mark is none.
-    pub(crate) fn of_part(bytes: &'a [u8]) -> Self {
-        Self { bytes, at: 0, line: 1 }
+    /// At the first of some lines of a file, which is number `line`: what looks like a byte order mark is none.
+    pub(crate) fn of_lines(bytes: &'a [u8], line: usize) -> Self {
+        Self { bytes, at: 0, line }
     }
 
     /// Number of the line that the scanner is on, from 1.

@@ -132,6 +132,50 @@ fn bytes_at_hand_are_read_as_the_file_would_be() {
     }
 }
 
+/// Large OBJ and STL files are read in pieces: all is as if they had been in memory as a whole.
+#[test]
+fn large_files_are_read_as_their_bytes_would_be() {
+    let folder = Folder::new("large");
+    let obj = "v 0.25 -1e3 2\nv 1 1 1\nv 0 0 0\nf -1 -2 -3\nl 1 2\n".repeat(60_000);
+    let mut stl = vec![0; 80];
+    stl.extend(40_000u32.to_le_bytes());
+    stl.extend(
+        (0..40_000u32).flat_map(|i| (0..50).map(move |at| (i.wrapping_mul(77) >> (at % 5)) as u8 & 0x3F)),
+    );
+    let mut options = onering_io::Options::default();
+    for (name, bytes) in [
+        ("a.obj", obj.clone().into_bytes()),
+        ("no.obj", (obj.clone() + "f 1 2 999999999\n").into_bytes()),
+        ("bad.obj", (obj.clone() + "f 1 2 x\n" + &obj).into_bytes()),
+        ("joined.obj", obj.replace("l 1", "l \\\n1").into_bytes()),
+        ("returns.obj", obj.replace('\n', "\r").into_bytes()),
+        ("comment.obj", ("# a\n".repeat(400_000) + &obj).into_bytes()),
+        ("mark.obj", ("\u{FEFF}".to_owned() + &obj).into_bytes()),
+        ("junk.obj", b"what is this\n".repeat(200_000)),
+        ("short.stl", stl[..stl.len() - 1].to_vec()),
+        ("long.stl", [&stl[..], b"more"].concat()),
+        ("like-obj.stl", [b"v \n", &stl[3..]].concat()),
+        ("a.stl", stl),
+    ] {
+        let path = folder.file(name, &bytes);
+        for weld in [false, true] {
+            options.weld_stl = weld;
+            let [whole, pieces] = [options.read_at(&bytes, &path), options.load(&path)];
+            assert_eq!(
+                whole.is_ok(),
+                !matches!(name, "no.obj" | "bad.obj" | "junk.obj" | "short.stl"),
+                "{name}"
+            );
+            match (whole, pieces) {
+                (Ok(whole), Ok(pieces)) => assert!(whole == pieces, "{name}"),
+                (whole, pieces) => {
+                    assert_eq!(whole.unwrap_err().to_string(), pieces.unwrap_err().to_string())
+                }
+            }
+        }
+    }
+}
+
 /// Each name of a file would be one more copy of it in memory, and one more reason for a larger mesh.
 #[test]
 fn a_file_with_many_names_is_read_and_counted_once() {

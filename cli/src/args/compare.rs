@@ -32,8 +32,16 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "MILLISECONDS", default_value_t = 40)]
     pub(crate) budget: u64,
     /// Do what takes quadratic time on meshes up to this size: build without a hash table, answer without a structure
-    #[arg(long, value_name = "TRIANGLES", default_value_t = 6_000)]
-    pub(crate) quadratic_up_to: usize,
+    /// [default: 6000, with --deform 50000]
+    #[arg(long, value_name = "TRIANGLES")]
+    quadratic_up_to: Option<usize>,
+    /// Deform an organ that is made here, at five sizes from 200 to 20,000 vertices, and tell how long its neighbours
+    /// and the whole deformation take, as in Figs. 18 to 21 of Biscaro et al. (2016)
+    #[arg(long, conflicts_with_all = ["files", "seed"])]
+    pub(crate) deform: bool,
+    /// Draw what --deform measures into this SVG file
+    #[arg(long, value_name = "FILE", requires = "deform")]
+    pub(crate) plot: Option<PathBuf>,
 }
 
 impl Default for Compare {
@@ -49,6 +57,11 @@ impl Compare {
     pub(crate) fn chosen(&self) -> Vec<usize> {
         let asked = |name: &str| self.backends.is_empty() || self.backends.iter().any(|asked| asked == name);
         (0..BACKENDS.len()).filter(|&i| asked(BACKENDS[i].name)).collect()
+    }
+
+    /// Up to how many triangles what takes quadratic time is done.
+    pub(crate) fn quadratic_up_to(&self) -> usize {
+        self.quadratic_up_to.unwrap_or(if self.deform { 50_000 } else { 6_000 })
     }
 
     /// Puts right what the parser could not know, and refuses what makes no sense.

@@ -1,7 +1,7 @@
 //! `onering convert`: what can be said of it.
 
 use super::{EXIT_CODES, fail, formats};
-use crate::convert::{Attribute, ring};
+use crate::convert::{Attribute, Method, ring};
 use crate::input;
 use clap::builder::PossibleValuesParser;
 use onering::registry::BACKENDS;
@@ -35,6 +35,12 @@ pub(crate) struct Convert {
     /// manifold
     #[arg(long)]
     pub(crate) repair: bool,
+    /// Fill holes of up to MAX_EDGES edges with triangles, after any repair; the outer border of a sheet is one too
+    #[arg(long, value_name = "MAX_EDGES", num_args = 0..=1, require_equals = true, default_missing_value = "4096")]
+    pub(crate) fill_holes: Option<usize>,
+    /// Number vertices so that neighbours are close together, and sort faces by them: faster to walk on
+    #[arg(long, value_name = "METHOD", num_args = 0..=1, require_equals = true, default_missing_value = "hilbert")]
+    pub(crate) reorder: Option<Method>,
     /// Do not merge the corners of an STL file that have equal coordinates
     #[arg(long)]
     pub(crate) keep_corners: bool,

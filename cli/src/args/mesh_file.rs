@@ -9,8 +9,7 @@ use std::path::PathBuf;
 /// The mesh to work on, and the structure to hold it in.
 #[derive(Debug, clap::Args)]
 pub(crate) struct MeshFile {
-    /// A mesh file, also packed with gzip; `-` is standard input. Without one, a mesh that is made here
-    #[arg(value_name = "FILE")]
+    #[arg(value_name = "FILE", help = file_help())]
     pub(crate) file: Option<PathBuf>,
     /// The format of FILE, whatever its name and its content
     #[arg(long, value_name = "FORMAT", ignore_case = true, value_parser = formats::parse_read())]
@@ -25,4 +24,11 @@ pub(crate) struct MeshFile {
     /// Make it a manifold that every backend accepts, first
     #[arg(long)]
     pub(crate) repair: bool,
+}
+
+fn file_help() -> String {
+    format!(
+        "A mesh file: {}, also packed with gzip; `-` is standard input. Without one, a mesh that is made here",
+        formats::read()
+    )
 }

@@ -5,7 +5,7 @@
 
 use super::rings::Rings;
 use super::sample::scramble;
-use super::timing::Clock;
+use crate::timing::Clock;
 use onering::neighbours::Neighbours;
 use onering::{Adjacency, Boundaries, EdgeMap, Handle, Incidence, Topology};
 

@@ -3,8 +3,8 @@
 use super::kernels::Kernels;
 use super::rings::Rings;
 use super::sample::{Sample, Soup, strategies};
-use super::timing::{Clock, Timing};
 use crate::heap;
+use crate::timing::{Clock, Timing};
 use onering::{BuildError, Footprint, FromFaces, Pairing, Searched, SharedVertex};
 
 /// What to measure on.

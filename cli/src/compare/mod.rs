@@ -1,8 +1,8 @@
 //! `onering compare`: every backend on every mesh.
 
 mod case;
+mod deform;
 mod kernels;
-mod machine;
 mod measure;
 mod record;
 mod reference;
@@ -11,14 +11,13 @@ mod rings;
 mod row;
 mod sample;
 mod subject;
-mod timing;
 
 use crate::args;
 use crate::default_mesh;
+use crate::machine::Machine;
 use crate::output::{self, Status};
 use case::Case;
 use indicatif::{ProgressBar, ProgressStyle};
-use machine::Machine;
 use onering_io::Replacement;
 use record::{Mesh, Run, Settings, Unread};
 use row::Rows;
@@ -27,6 +26,9 @@ use std::path::Path;
 
 /// Measures, prints a report for each mesh as soon as it is done, and writes the JSON at the end.
 pub(crate) fn run(options: &args::Compare) -> io::Result<Status> {
+    if options.deform {
+        return deform::run(options);
+    }
     // A file that cannot be written is better known before the work than after it.
     let json = match options.json.as_deref().map(|path| (path, Replacement::create(path))) {
         Some((path, Err(error))) => {
@@ -61,7 +63,7 @@ impl<'a> Comparison<'a> {
         let settings = Settings {
             seed: options.seed,
             budget_ms: options.budget,
-            quadratic_up_to_triangles: options.quadratic_up_to,
+            quadratic_up_to_triangles: options.quadratic_up_to(),
             ring_starts: sample::STARTS,
             random_queries: sample::QUERIES,
         };

@@ -1,7 +1,7 @@
 //! What a comparison found, in the shape of its JSON.
 
-use super::machine::Machine;
-use super::timing::Timing;
+use crate::machine::Machine;
+use crate::timing::Timing;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// A whole run.

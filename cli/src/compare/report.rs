@@ -5,16 +5,10 @@ use super::rings::LEVELS;
 use super::row::{AS_IT_IS, REPAIRED};
 use super::sample::{QUERIES, STARTS};
 use super::subject::BASELINE;
-use super::timing::Timing;
 use crate::args;
-use comfy_table::{CellAlignment, LineStyle, Table, TableStyle};
+use crate::tables::{cell, scaled, table, wrapped};
+use comfy_table::Table;
 use std::fmt::Write;
-
-/// A rule above, one under the header, one below.
-const RULES: TableStyle = TableStyle::new()
-    .top_border(LineStyle::none().fill('─').junction('─'))
-    .header_separator(LineStyle::none().fill('─').junction('─'))
-    .bottom_border(LineStyle::none().fill('─').junction('─'));
 
 /// How to read the figures.
 pub(crate) const NOTES: &[&str] = &[
@@ -128,7 +122,7 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
     let mut text = String::new();
     let left_out = left_out(mesh, options);
     if !left_out.is_empty() {
-        let limit = options.quadratic_up_to;
+        let limit = options.quadratic_up_to();
         let _ = writeln!(
             text,
             "left out above {limit} triangles (--quadratic-up-to): {}",
@@ -157,57 +151,11 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
 
 /// What was asked for and is quadratic, where the mesh is too large for that.
 fn left_out(mesh: &Mesh, options: &args::Compare) -> Vec<&'static str> {
-    if mesh.triangles <= options.quadratic_up_to {
+    if mesh.triangles <= options.quadratic_up_to() {
         return Vec::new();
     }
     // `auto` and at least one strategy.
     let pairs = |row: &Backend| row.build.0.iter().filter(|(_, timing)| timing.is_some()).count() > 1;
     let building = mesh.backends.iter().any(pairs).then_some("building without hash");
     building.into_iter().chain(options.backends.is_empty().then_some("`no data structure`")).collect()
-}
-
-/// A table whose first `left` columns are words, the others numbers.
-fn table(header: &[&str], left: usize) -> Table {
-    let mut table = Table::new();
-    table.load_style(RULES).set_header(header.to_vec());
-    for column in table.column_iter_mut().skip(left) {
-        column.set_cell_alignment(CellAlignment::Right);
-    }
-    table
-}
-
-fn scaled(timing: Option<Timing>, unit: f64) -> String {
-    timing.map_or("-".into(), |timing| cell(timing.median_ns / unit, timing))
-}
-
-/// A figure that was worked out from `timing`, marked where that is no median.
-fn cell(value: f64, timing: Timing) -> String {
-    digits(value) + if timing.runs == 1 { "*" } else { "" }
-}
-
-/// Three digits that count.
-fn digits(value: f64) -> String {
-    let places = match value {
-        v if v >= 99.95 => 0,
-        v if v >= 9.995 => 1,
-        v if v >= 0.9995 => 2,
-        v if v >= 0.09995 => 3,
-        _ => 4,
-    };
-    format!("{value:.places$}")
-}
-
-/// Lines of at most 110 characters.
-fn wrapped(text: &str) -> String {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let last = lines.len() - 1;
-        if !lines[last].is_empty() && lines[last].len() + 1 + word.len() > 110 {
-            lines.push(format!("  {word}"));
-        } else {
-            let space = if lines[last].is_empty() { "" } else { " " };
-            lines[last] += &format!("{space}{word}");
-        }
-    }
-    lines.join("\n")
 }

@@ -1,7 +1,7 @@
 //! Rings of several levels around a vertex, timed.
 
 use super::kernels::mix;
-use super::timing::{Clock, Timing};
+use crate::timing::{Clock, Timing};
 use onering::Handle;
 use onering::k_ring::KRing;
 use onering::neighbours::Neighbours;

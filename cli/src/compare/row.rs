@@ -4,8 +4,8 @@ use super::case::{Case, Ready};
 use super::measure::{Measured, Plan};
 use super::record::{Backend, Memory, Mesh, Named, Ring, Sweep};
 use super::subject::{BASELINE, SUBJECTS, Subject};
-use super::timing::Clock;
 use crate::args;
+use crate::timing::Clock;
 use onering::footprint::Counts;
 use onering::registry::BACKENDS;
 use onering::{BuildError, Pairing};
@@ -37,7 +37,7 @@ impl<'a> Rows<'a> {
         Self {
             case,
             clock: Clock { budget: Duration::from_millis(options.budget), gives_up: false },
-            limit: options.quadratic_up_to,
+            limit: options.quadratic_up_to(),
             rows: Vec::new(),
             first: states.into_iter().flat_map(answers).collect(),
             mismatches: Vec::new(),

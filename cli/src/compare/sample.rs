@@ -1,5 +1,8 @@
 //! Which vertices and faces are asked for: random, and the same at every run.
 
+pub(crate) use crate::random::scramble;
+
+use crate::random::Random;
 use onering::Pairing;
 
 /// A list of triangles to build from.
@@ -50,28 +53,6 @@ impl Sample {
         let faces = (0..QUERIES).map(|_| random.below(soup.faces.len()) as u32).collect();
         Self { starts, vertices, faces }
     }
-}
-
-/// SplitMix64 (Steele et al. 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        scramble(self.0)
-    }
-
-    /// Below `bound`, by the high part of a product: no bias that could matter here.
-    fn below(&mut self, bound: usize) -> usize {
-        ((u128::from(self.next()) * bound as u128) >> 64) as usize
-    }
-}
-
-/// Every bit of the result depends on every bit of `x`.
-pub(crate) fn scramble(mut x: u64) -> u64 {
-    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    x ^ (x >> 31)
 }
 
 /// The strategies to time, with their names: the quadratic one only if asked.

@@ -1,5 +1,6 @@
-//! Welding and mending, with the polygons that outlast it.
+//! Welding, mending, filling and reordering, with the polygons that outlast it.
 
+use super::{Method, fill_holes, reorder};
 use crate::failure::Failure;
 use onering::BuildError;
 use onering::repair::{RepairError, RepairOptions, Repaired, repair, weld};
@@ -13,6 +14,10 @@ pub(crate) struct Change {
     pub(crate) welded: Option<usize>,
     /// What the repair did beside, in words, where that was asked for.
     pub(crate) repaired: Option<String>,
+    /// Which holes were filled, in words, where that was asked for.
+    pub(crate) filled: Option<String>,
+    /// How it was put in order, where that was asked for.
+    pub(crate) reordered: Option<Method>,
 }
 
 impl Change {
@@ -23,7 +28,23 @@ impl Change {
         let welded = welded.map_err(|error| failed(&format_args!("weld: {error}")))?;
         let repaired = repair.then(|| mend(mesh)).transpose();
         let repaired = repaired.map_err(|error| failed(&format_args!("repair: {error}")))?;
-        Ok(Self { welded, repaired })
+        Ok(Self { welded, repaired, ..Self::default() })
+    }
+
+    /// Fills holes of up to so many edges, and puts vertices and faces in order, where that is asked for.
+    pub(crate) fn filled_and_reordered(
+        self,
+        max_edges: Option<usize>,
+        reordered: Option<Method>,
+        name: &str,
+        mesh: &mut Triangles,
+    ) -> Result<Self, Failure> {
+        let failed = |what: &str, error: &str| Failure::Output(format!("{name}: {what}: {error}"));
+        let filled = max_edges.map(|max_edges| fill_holes::apply(max_edges, mesh)).transpose();
+        let filled = filled.map_err(|error| failed("fill holes", &error))?;
+        let order = reordered.map_or(Ok(()), |method| reorder::apply(method, mesh));
+        order.map_err(|error| failed("reorder", &error))?;
+        Ok(Self { filled, reordered, ..self })
     }
 }
 

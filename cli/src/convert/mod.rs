@@ -2,24 +2,27 @@
 
 mod attribute;
 mod change;
+mod fill_holes;
 mod holds;
+mod reorder;
 pub(crate) mod ring;
 mod summary;
 mod target;
 
 pub(crate) use attribute::Attribute;
 pub(crate) use change::Change;
+pub(crate) use holds::Holds;
+pub(crate) use reorder::Method;
+pub(crate) use target::Target;
 
 use crate::failure::Failure;
 use crate::output::{self, Status};
 use crate::progress::Progress;
 use crate::{args, input};
 use attribute::Computed;
-use holds::Holds;
 use onering_io::{Format, MeshRef, Options, Triangles};
 use std::io;
 use summary::Summary;
-use target::Target;
 
 /// Reading, changing, attributes, writing.
 const STEPS: usize = 4;
@@ -46,7 +49,9 @@ fn convert(options: &args::Convert) -> Result<Summary, Failure> {
     let (mut mesh, format) = progress.step("reading", || read(options))?;
     let mut summary = Summary::of(options, &mesh, format, &target);
     let change = progress.step("mending", || {
-        Change::apply(options.weld, options.repair, &input::name_of(&options.input), &mut mesh)
+        let name = input::name_of(&options.input);
+        let change = Change::apply(options.weld, options.repair, &name, &mut mesh)?;
+        change.filled_and_reordered(options.fill_holes, options.reorder, &name, &mut mesh)
     })?;
     let computed = progress.step("computing attributes", || attribute::compute(options, &mesh))?;
     progress.step("writing", || write(&mesh, &computed, &target))?;

@@ -60,6 +60,12 @@ impl Summary {
         if let Some(steps) = &change.repaired {
             self.done.push(("repaired", steps.clone()));
         }
+        if let Some(holes) = &change.filled {
+            self.done.push(("holes", holes.clone()));
+        }
+        if let Some(method) = change.reordered {
+            self.done.push(("reordered", method.to_string()));
+        }
         let format = self.format;
         if !holds.polygons && self.after.polygons > 0 {
             let polygons = counted(self.after.polygons, ["polygon was", "polygons were"]);

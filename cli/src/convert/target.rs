@@ -22,10 +22,19 @@ pub(crate) struct Target {
 impl Target {
     /// What the options ask for, as far as it can be written.
     pub(crate) fn of(options: &args::Convert) -> Result<Self, Failure> {
-        let output = &options.output;
-        let path = (!input::is_standard(output)).then(|| output.clone());
+        Self::new(&options.output, options.output_format(), options.backend(), options.ascii)
+    }
+
+    /// A file of this name, or standard output where it is `-`; in the format that is given, else that of the name.
+    pub(crate) fn new(
+        output: &Path,
+        format: Option<Format>,
+        backend: &str,
+        ascii: bool,
+    ) -> Result<Self, Failure> {
+        let path = (!input::is_standard(output)).then(|| output.to_owned());
         let by_name = || path.as_deref().and_then(Format::of_extension);
-        let format = options.output_format().or_else(by_name).ok_or_else(|| unknown(output))?;
+        let format = format.or_else(by_name).ok_or_else(|| unknown(output))?;
         if !args::is_written(format) {
             let (output, written) = (output.display(), args::written());
             let problem = format!("{output}: {format} is read, but not written; written are {written}");
@@ -37,8 +46,8 @@ impl Target {
         }
         path.as_deref().map_or(Ok(()), check_folder)?;
         let mut how = SaveOptions::default();
-        how.ascii = options.ascii;
-        Ok(Self { path, format, backend: options.backend().into(), how })
+        how.ascii = ascii;
+        Ok(Self { path, format, backend: backend.into(), how })
     }
 
     pub(crate) fn format(&self) -> Format {

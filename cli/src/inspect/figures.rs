@@ -83,7 +83,9 @@ impl Inspection {
 
     fn of_mesh(mesh: &Triangles) -> Result<Self, BuildError> {
         let Triangles { positions, faces, .. } = mesh;
-        let geometry = geometry::Geometry::of(positions, faces);
+        let geometry = geometry::Geometry::of(mesh);
+        let finite_coordinates = geometry.is_ok();
+        let geometry = geometry.ok().flatten();
         let defects = Defects::of(positions.len(), faces);
         let welded_defects = welded_defects(mesh)?;
         // A glTF file has 32-bit floats and no decimals: each is exactly the number that is there.
@@ -103,7 +105,7 @@ impl Inspection {
             polygons: mesh.polygon_count(),
             polygon_sizes: mesh.polygon_sizes.clone(),
             triangles: faces.len(),
-            finite_coordinates: geometry::are_finite(positions),
+            finite_coordinates,
             bbox_min: geometry.map(|g| g.bbox_min.map(number)),
             bbox_max: geometry.map(|g| g.bbox_max.map(number)),
             area: geometry.map(|g| g.area),

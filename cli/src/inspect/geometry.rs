@@ -1,6 +1,9 @@
-//! What positions give: box, area, volume. Sums are in `f64`.
+//! What positions give: box, area, volume.
 
-/// The figures of positions; nothing where there are none or one is infinite or no number.
+use onering::{FaceId, HalfEdgeId, Handle, NotFinite, Topology, VertexId, measure};
+use onering_io::Triangles;
+
+/// The figures of positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Geometry {
     pub(crate) bbox_min: [f32; 3],
@@ -12,43 +15,35 @@ pub(crate) struct Geometry {
 }
 
 impl Geometry {
-    pub(crate) fn of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Option<Self> {
-        let first = *positions.first()?;
-        if !are_finite(positions) {
-            return None;
-        }
-        let bound = |choose: fn(f32, f32) -> f32| {
-            positions.iter().fold(first, |a, b| std::array::from_fn(|i| choose(a[i], b[i])))
-        };
-        let corners = |face: &[u32; 3]| face.map(|v| positions[v as usize].map(f64::from));
-        let twice_area = |[a, b, c]: [[f64; 3]; 3]| {
-            let normal = cross(minus(b, a), minus(c, a));
-            dot(normal, normal).sqrt()
-        };
-        let six_volumes = |[a, b, c]: [[f64; 3]; 3]| dot(a, cross(b, c));
-        Some(Self {
-            bbox_min: bound(f32::min),
-            bbox_max: bound(f32::max),
-            area: faces.iter().map(corners).map(twice_area).sum::<f64>() / 2.0,
-            signed_volume: faces.iter().map(corners).map(six_volumes).sum::<f64>() / 6.0,
-        })
+    /// Nothing where there are no positions.
+    pub(crate) fn of(mesh: &Triangles) -> Result<Option<Self>, NotFinite> {
+        let positions = mesh.positions.clone().into();
+        let Some([bbox_min, bbox_max]) = measure::bounding_box(&positions)? else { return Ok(None) };
+        let area = measure::area(&Faces(mesh), &positions)?;
+        let signed_volume = measure::signed_volume(&Faces(mesh), &positions)?;
+        Ok(Some(Self { bbox_min, bbox_max, area, signed_volume }))
     }
 }
 
-pub(crate) fn are_finite(positions: &[[f32; 3]]) -> bool {
-    positions.as_flattened().iter().all(|x| x.is_finite())
-}
+/// The triangles as they were read, whatever is wrong with them: no structure is built to look at each face once.
+struct Faces<'a>(&'a Triangles);
 
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] - b[i])
-}
+impl Topology for Faces<'_> {
+    type Vertex = VertexId;
+    type HalfEdge = HalfEdgeId;
+    type Face = FaceId;
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
+    fn vertex_count(&self) -> usize {
+        self.0.positions.len()
+    }
 
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    fn face_count(&self) -> usize {
+        self.0.faces.len()
+    }
+
+    fn origin(&self, h: HalfEdgeId) -> VertexId {
+        VertexId::new(self.0.faces.as_flattened()[h.index()] as usize)
+    }
 }
 
 #[cfg(test)]
@@ -59,8 +54,8 @@ mod tests {
 
     #[test]
     fn a_tetrahedron_away_from_the_origin() {
-        let positions = [[1.0, 1.0, 1.0], [3.0, 1.0, 1.0], [1.0, 3.0, 1.0], [1.0, 1.0, 3.0]];
-        let found = Geometry::of(&positions, &TETRAHEDRON).unwrap();
+        let positions = vec![[1.0, 1.0, 1.0], [3.0, 1.0, 1.0], [1.0, 3.0, 1.0], [1.0, 1.0, 3.0]];
+        let found = Geometry::of(&Triangles::new(positions, TETRAHEDRON.to_vec())).unwrap().unwrap();
         assert_eq!((found.bbox_min, found.bbox_max), ([1.0; 3], [3.0; 3]));
         // Three right triangles of area 2, one of sides sqrt(8); a sixth of a cube of side 2.
         assert!((found.area - (6.0 + 12.0_f64.sqrt())).abs() < 1e-12);
@@ -69,8 +64,9 @@ mod tests {
 
     #[test]
     fn nothing_without_numbers() {
-        assert_eq!(Geometry::of(&[], &[]), None);
-        assert_eq!(Geometry::of(&[[0.0, f32::NAN, 0.0]], &[]), None);
-        assert!(Geometry::of(&[[0.0; 3]], &[]).is_some_and(|found| found.area == 0.0));
+        let of = |positions: &[[f32; 3]]| Geometry::of(&Triangles::new(positions.to_vec(), Vec::new()));
+        assert_eq!(of(&[]), Ok(None));
+        assert_eq!(of(&[[0.0, f32::NAN, 0.0]]), Err(NotFinite { vertex: 0 }));
+        assert!(of(&[[0.0; 3]]).unwrap().is_some_and(|found| found.area == 0.0));
     }
 }

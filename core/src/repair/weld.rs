@@ -2,6 +2,9 @@
 
 mod sorted;
 mod table;
+mod welder;
+
+pub use self::welder::Welder;
 
 use crate::{BuildError, memory};
 use alloc::vec::Vec;
@@ -15,25 +18,8 @@ pub struct Welded {
     pub source: Vec<u32>,
 }
 
-/// The vertices that are left after welding.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Distinct {
-    /// The first old vertex of each, rising.
-    pub source: Vec<u32>,
-    /// The position of that old vertex, to the last bit.
-    pub positions: Vec<[f32; 3]>,
-}
-
-impl Distinct {
-    /// The next vertex: its number.
-    #[inline]
-    fn push(&mut self, source: usize, position: [f32; 3]) -> Result<u32, BuildError> {
-        let v = self.source.len() as u32;
-        memory::push(&mut self.source, source as u32)?;
-        memory::push(&mut self.positions, position)?;
-        Ok(v)
-    }
-}
+/// More cannot be numbered.
+const MAX_VERTICES: usize = u32::MAX as usize;
 
 /// Gives vertices with equal positions one number, in order of first appearance.
 ///
@@ -45,26 +31,36 @@ impl Distinct {
 /// [`BuildError::OutOfMemory`], or [`BuildError::TooManyVertices`] for more than `u32::MAX` positions.
 pub fn weld(positions: &[[f32; 3]]) -> Result<Welded, BuildError> {
     let mut target = memory::filled(positions.len(), 0)?;
-    let Distinct { source, .. } = weld_into(&mut target, |v| positions[v])?;
+    let mut source = memory::with_room(weld_into(&mut target, |v| positions[v])?.len())?;
+    for (v, new) in target.iter().enumerate() {
+        if *new as usize == source.len() {
+            source.push(v as u32);
+        }
+    }
     Ok(Welded { target, source })
 }
 
 /// [`weld`] for vertices that lie elsewhere, such as the corners of triangles in a file: vertex `v` of
-/// `target.len()` is at `position(v)`, and `target[v]` becomes its new number. While it runs, the
+/// `target.len()` is at `position(v)`, and `target[v]` becomes its new number. Gives the positions of the new
+/// vertices, each to the last bit that of the first old one there. While it runs, the
 /// table takes 2 to 26 bytes for each vertex, the more the fewer of them are equal, and half as much again while it
 /// grows; sorting takes 16.
 ///
 /// # Errors
 /// As [`weld`].
-pub fn weld_into(target: &mut [u32], position: impl Fn(usize) -> [f32; 3]) -> Result<Distinct, BuildError> {
-    let (vertices, limit) = (target.len(), u32::MAX as usize);
-    if vertices > limit {
-        return Err(BuildError::TooManyVertices { vertices, limit });
+pub fn weld_into(
+    target: &mut [u32],
+    position: impl Fn(usize) -> [f32; 3],
+) -> Result<Vec<[f32; 3]>, BuildError> {
+    if target.len() > MAX_VERTICES {
+        return Err(BuildError::TooManyVertices { vertices: target.len(), limit: MAX_VERTICES });
     }
-    match table::weld(target, &position)? {
-        Some(distinct) => Ok(distinct),
-        None => sorted::weld(target, &position),
+    let mut welder = Welder::new(target.len())?;
+    if welder.add(target, &position)? {
+        return Ok(welder.into_positions());
     }
+    drop(welder);
+    sorted::weld(target, &position)
 }
 
 /// Position as integers: equal where the position is, NaN aside.
@@ -108,8 +104,8 @@ mod tests {
     fn the_first_of_equal_positions_is_kept_to_the_bit() {
         let positions = [[-0.0f32, 1.0, 0.0], [0.0, 1.0, -0.0]];
         let mut target = [7; 2];
-        let distinct = weld_into(&mut target, |v| positions[v]).unwrap();
-        assert_eq!((target, distinct.source), ([0, 0], vec![0]));
-        assert_eq!(distinct.positions[0].map(f32::to_bits), positions[0].map(f32::to_bits));
+        let welded = weld_into(&mut target, |v| positions[v]).unwrap();
+        assert_eq!((target, welded.len()), ([0, 0], 1));
+        assert_eq!(welded[0].map(f32::to_bits), positions[0].map(f32::to_bits));
     }
 }

@@ -1,11 +1,14 @@
 //! Large files in parts, which all threads read at once.
 
+use std::io::Read;
+
 use rayon::prelude::*;
 
 use super::Reader;
 use super::append::append;
 use super::numbering::{Numbering, settle};
-use crate::text::{Scanner, is_joined};
+use super::pieces::{Piece, Pieces, is_line_end};
+use crate::text::without_byte_order_mark;
 use crate::triangles::skip;
 use crate::{Place, Triangles};
 
@@ -25,63 +28,104 @@ pub(super) fn read(bytes: &[u8]) -> Option<Triangles> {
     if threads < 2 || bytes.len() < 2 * PART {
         return None;
     }
+    let mut parts = Parts::new(PART, SHARE * threads);
     // Within the pool a round begins without waking a thread for it first.
-    rayon::scope(|_| read_parts(bytes, PART, SHARE * threads))
+    rayon::scope(|_| parts.read(without_byte_order_mark(bytes)))?;
+    parts.finish()
 }
 
-fn read_parts(bytes: &[u8], size: usize, round: usize) -> Option<Triangles> {
-    let (first, mut rest) = split(bytes, size);
-    let mut all = Reader::new(first, Numbering::of_file(u32::MAX)).run().ok()?;
-    let mut line = all.scanner.line();
-    let mut readers: Vec<_> = (0..round).map(|_| Reader::new(b"", Numbering::of_part())).collect();
-    while !rest.is_empty() {
-        let mut parts = Vec::with_capacity(round);
-        while parts.len() < round && !rest.is_empty() {
-            let part;
-            (part, rest) = split(rest, size);
-            parts.push(part);
-        }
-        let readers = &mut readers[..parts.len()];
-        readers.par_iter_mut().zip(parts).try_for_each(|(reader, part)| reader.restart(part).lines().ok())?;
-        line = all.append(readers, line)?;
+/// The same from the file itself, behind its byte order mark: one thread reads what the next round parses.
+pub(super) fn read_file(file: impl Read + Send) -> Option<Triangles> {
+    let round = SHARE * rayon::current_num_threads();
+    rayon::scope(|_| read_pieces(file, PART, round))
+}
+
+fn read_pieces(file: impl Read + Send, size: usize, round: usize) -> Option<Triangles> {
+    let mut parts = Parts::new(size, round);
+    let mut pieces = Pieces::new(file, size.max(1) * round);
+    let (mut piece, mut next) = (Piece::default(), Piece::default());
+    pieces.fill(&mut piece, b"").ok()?;
+    while !piece.is_empty() {
+        let (filled, read) =
+            rayon::join(|| pieces.fill(&mut next, piece.rest()), || parts.read(piece.lines()));
+        filled.ok().and(read)?;
+        std::mem::swap(&mut piece, &mut next);
     }
-    let exist = all.corner_bound as usize <= all.positions.len();
-    exist.then(|| all.finish().ok())?
+    parts.finish()
+}
+
+/// What was read in parts, and the readers of a round of them.
+struct Parts {
+    all: Reader,
+    readers: Vec<Reader>,
+    /// Bytes of a part.
+    size: usize,
+}
+
+impl Parts {
+    fn new(size: usize, round: usize) -> Self {
+        let readers = (0..round).map(|_| Reader::new(Numbering::of_part())).collect();
+        Self { all: Reader::new(Numbering::of_file(u32::MAX)), readers, size }
+    }
+
+    /// Reads the next lines of the file.
+    fn read(&mut self, mut rest: &[u8]) -> Option<()> {
+        while !rest.is_empty() {
+            let mut parts = Vec::with_capacity(self.readers.len());
+            while parts.len() < self.readers.len() && !rest.is_empty() {
+                let part;
+                (part, rest) = split(rest, self.size);
+                parts.push(part);
+            }
+            let readers = &mut self.readers[..parts.len()];
+            readers
+                .par_iter_mut()
+                .zip(parts)
+                .try_for_each(|(reader, part)| reader.restart().lines(part).ok())?;
+            self.all.append(readers)?;
+        }
+        Some(())
+    }
+
+    fn finish(self) -> Option<Triangles> {
+        self.all.has_all_corners().then(|| self.all.finish().ok())?
+    }
 }
 
 /// The first `size` bytes or so, to the end of a line that is not joined to the next one; and the rest.
 fn split(bytes: &[u8], size: usize) -> (&[u8], &[u8]) {
     let from = size.min(bytes.len());
     let mut ends = memchr::memchr_iter(b'\n', &bytes[from..]).map(|end| from + end);
-    let end = ends.find(|end| {
-        let line = &bytes[..*end];
-        !is_joined(line.strip_suffix(b"\r").unwrap_or(line))
-    });
+    let end = ends.find(|end| is_line_end(bytes, *end));
     bytes.split_at(end.map_or(bytes.len(), |end| end + 1))
 }
 
-impl<'a> Reader<'a> {
+impl Reader {
     /// Empties the reader, for another part of the file; the memory stays.
-    fn restart(&mut self, part: &'a [u8]) -> &mut Self {
-        self.scanner = Scanner::of_part(part);
+    fn restart(&mut self) -> &mut Self {
+        self.next_line = 1;
         self.positions.clear();
         self.polygons.clear();
         self.corner_bound = 0;
+        self.lowest_skipped = u32::MAX;
         self.notes.clear();
         self.statements = 0;
         self
     }
 
-    /// Takes what was read in the next parts, of which the first begins at `line`; the line behind them.
-    fn append(&mut self, parts: &mut [Self], mut line: usize) -> Option<usize> {
+    /// Takes what was read in the next parts.
+    fn append(&mut self, parts: &mut [Self]) -> Option<()> {
         let mut vertices = self.positions.len();
         let mut before = Vec::with_capacity(parts.len());
         for part in &*parts {
             before.push(u32::try_from(vertices).ok()?);
             vertices += part.positions.len();
         }
-        let pairs = parts.par_iter_mut().zip(before);
-        if !pairs.all(|(part, before)| settle(part.polygons.corners_mut(), before)) {
+        let all_exist = |part: &mut Self, before| {
+            settle(part.polygons.corners_mut(), before)
+                && settle(std::iter::once(&mut part.lowest_skipped), before)
+        };
+        if !parts.par_iter_mut().zip(before).all(|(part, before)| all_exist(part, before)) {
             return None;
         }
         let positions: Vec<_> = parts.iter().map(|part| part.positions.as_slice()).collect();
@@ -92,13 +136,13 @@ impl<'a> Reader<'a> {
             for note in &part.notes {
                 // Lines of a part are counted from 1.
                 let Place::Line(first) = note.first else { continue };
-                skip(&mut self.notes, note.what.clone(), note.count, Place::Line(line + first - 1));
+                skip(&mut self.notes, note.what.clone(), note.count, Place::Line(self.next_line + first - 1));
             }
             self.corner_bound = self.corner_bound.max(part.corner_bound);
             self.statements += part.statements;
-            line += part.scanner.line() - 1;
+            self.next_line += part.next_line - 1;
         }
-        Some(line)
+        Some(())
     }
 }
 
@@ -112,7 +156,11 @@ mod tests {
     fn check(text: &str) {
         let expected = read_in_order(text.as_bytes()).ok();
         for (size, round) in [(0, 1), (0, 3), (1, 2), (7, 2), (20, 5), (100, 2)] {
-            assert_eq!(read_parts(text.as_bytes(), size, round), expected, "parts of {size} in {text:?}");
+            let mut parts = Parts::new(size, round);
+            let read = parts.read(without_byte_order_mark(text.as_bytes())).and_then(|()| parts.finish());
+            assert_eq!(read, expected, "parts of {size} in {text:?}");
+            let read = read_pieces(without_byte_order_mark(text.as_bytes()), size, round);
+            assert_eq!(read, expected, "pieces of {size} in {text:?}");
         }
     }
 
@@ -127,6 +175,8 @@ mod tests {
             "f 1 2 6",
             "f 1 2 3\n\u{FEFF}f 1 2 3\n",
             "f 1 2 -5\n",
+            "f -5 -5\n",
+            "f -1\nf -1 -2\n",
         ] {
             check(&format!("{corners}{text}"));
         }
@@ -146,8 +196,9 @@ mod tests {
     fn a_large_file_is_read_in_parts() {
         let text = "v 0.25 -1e3 2\nv 1 1 1\nv 0 0 0\nf -1 -2 -3\n".repeat(40_000);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
-        let mesh = pool.install(|| read(text.as_bytes()));
-        assert_eq!(mesh, Some(read_in_order(text.as_bytes()).unwrap()));
+        let expected = Some(read_in_order(text.as_bytes()).unwrap());
+        assert_eq!(pool.install(|| read(text.as_bytes())), expected);
+        assert_eq!(pool.install(|| read_file(text.as_bytes())), expected);
     }
 
     proptest! {

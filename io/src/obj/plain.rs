@@ -6,15 +6,16 @@ use super::numbering::Numbering;
 use crate::Error;
 use crate::memory::push;
 use crate::number::{f32_prefix, short_index_prefix};
+use crate::text::Scanner;
 
 /// Faces of more corners are not plain.
 const CORNERS: usize = 8;
 
-impl Reader<'_> {
+impl Reader {
     /// Reads a line that is as plain as most; `false`, with nothing read, if it is not.
     #[inline(always)]
-    pub(super) fn plain_line(&mut self) -> Result<bool, Error> {
-        let rest = match self.scanner.remainder() {
+    pub(super) fn plain_line(&mut self, scanner: &mut Scanner<'_>) -> Result<bool, Error> {
+        let rest = match scanner.remainder() {
             [b'v', b' ', line @ ..] => {
                 let Some((position, rest)) = position(line) else { return Ok(false) };
                 push(&mut self.positions, position)?;
@@ -35,7 +36,7 @@ impl Reader<'_> {
             _ => return Ok(false),
         };
         self.statements += 1;
-        self.scanner.go_on_with(rest);
+        scanner.go_on_with(rest);
         Ok(true)
     }
 }

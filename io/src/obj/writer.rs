@@ -10,17 +10,8 @@ const CORNERS: usize = 1024;
 
 /// Attributes are left out: OBJ has no place for them.
 pub(crate) fn write(mesh: &MeshRef<'_>, out: &mut dyn Write) -> io::Result<()> {
+    write_positions(mesh.positions, out)?;
     let mut text = Vec::new();
-    for position in mesh.positions {
-        text.clear();
-        text.push(b'v');
-        for coordinate in position {
-            text.push(b' ');
-            f32_into(&mut text, *coordinate);
-        }
-        text.push(b'\n');
-        out.write_all(&text)?;
-    }
     mesh.each_polygon(|corners, _| {
         text.clear();
         text.push(b'f');
@@ -34,4 +25,20 @@ pub(crate) fn write(mesh: &MeshRef<'_>, out: &mut dyn Write) -> io::Result<()> {
         }
         out.write_all(b"\n")
     })
+}
+
+/// A line `v x y z` for each.
+pub(super) fn write_positions(positions: &[[f32; 3]], out: &mut dyn Write) -> io::Result<()> {
+    let mut text = Vec::new();
+    for position in positions {
+        text.clear();
+        text.push(b'v');
+        for coordinate in position {
+            text.push(b' ');
+            f32_into(&mut text, *coordinate);
+        }
+        text.push(b'\n');
+        out.write_all(&text)?;
+    }
+    Ok(())
 }

@@ -1,13 +1,14 @@
 //! Welding by sorting, which no choice of positions slows down.
 
-use super::{Distinct, is_nowhere, key};
+use super::{is_nowhere, key};
 use crate::{BuildError, memory};
+use alloc::vec::Vec;
 
 /// O(n log n).
 pub(super) fn weld(
     target: &mut [u32],
     position: &impl Fn(usize) -> [f32; 3],
-) -> Result<Distinct, BuildError> {
+) -> Result<Vec<[f32; 3]>, BuildError> {
     let mut order = memory::collected((0..target.len()).map(|v| (key(position(v)), v as u32)))?;
     order.sort_unstable();
     for group in order.chunk_by(|a, b| a.0 == b.0) {
@@ -22,12 +23,17 @@ pub(super) fn weld(
 }
 
 /// From the first vertex of each one's group to consecutive numbers.
-fn number(first: &mut [u32], position: &impl Fn(usize) -> [f32; 3]) -> Result<Distinct, BuildError> {
-    let mut distinct = Distinct::default();
+fn number(first: &mut [u32], position: &impl Fn(usize) -> [f32; 3]) -> Result<Vec<[f32; 3]>, BuildError> {
+    let mut positions = Vec::new();
     for v in 0..first.len() {
         let leader = first[v] as usize;
         // A group is led by its least vertex, which has its number already.
-        first[v] = if leader == v { distinct.push(v, position(v))? } else { first[leader] };
+        if leader == v {
+            first[v] = positions.len() as u32;
+            memory::push(&mut positions, position(v))?;
+        } else {
+            first[v] = first[leader];
+        }
     }
-    Ok(distinct)
+    Ok(positions)
 }
