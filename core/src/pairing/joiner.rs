@@ -60,12 +60,13 @@ impl<'a> Joiner<'a> {
     }
 
     /// For a strategy that has joined pairs by itself.
-    pub(super) fn with(
-        faces: &'a [[u32; 3]],
-        opposite: Vec<Slot<HalfEdgeId>>,
-        extra: Vec<(HalfEdgeId, HalfEdgeId)>,
-    ) -> Self {
-        Self { faces, opposite, extra }
+    pub(super) fn with(faces: &'a [[u32; 3]], opposite: Vec<Slot<HalfEdgeId>>) -> Self {
+        Self { faces, opposite, extra: Vec::new() }
+    }
+
+    /// Forgets what `h` was joined to.
+    pub(super) fn part(&mut self, h: usize) {
+        self.opposite[h] = Slot::NONE;
     }
 
     /// `h` lies along the same edge as `root`, the first half-edge there.
@@ -91,6 +92,16 @@ impl<'a> Joiner<'a> {
     /// `h` lies along the edge of `root` as well, and does not pair.
     pub(super) fn add(&mut self, root: usize, h: usize) -> Result<(), BuildError> {
         memory::push(&mut self.extra, (HalfEdgeId::new(root), HalfEdgeId::new(h)))
+    }
+
+    /// How many did not pair so far.
+    pub(super) fn extra_count(&self) -> usize {
+        self.extra.len()
+    }
+
+    /// For a strategy that begins again.
+    pub(super) fn forget_extra_beyond(&mut self, count: usize) {
+        self.extra.truncate(count);
     }
 
     pub(super) fn finish(mut self) -> Result<Paired, BuildError> {

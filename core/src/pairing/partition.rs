@@ -1,73 +1,101 @@
-//! Edges dealt into parts by their lower vertex, each part small enough for the cache, and paired there by lists.
+//! Half-edges dealt into parts of the size of the cache by the lower vertex of their edge, and paired there.
 //!
-//! On a shuffled mesh every other strategy waits for memory at each half-edge. Here faces are read and entries written in
-//! order, and only the opposites go to places without an order: two for each edge.
-use super::{Paired, counting_sort, joiner::Joiner};
+//! On a shuffled mesh a table over all vertices or edges waits for memory at each half-edge. Here faces are read and
+//! entries written in order, and only the opposites go to places without an order: two for each edge.
+use super::{Paired, joiner::Joiner};
 use crate::{BuildError, memory};
 use alloc::vec::Vec;
 
-/// Vertices of a part, as a power of two: with six edges each, lists and entries take some 300 kB.
-const PART_BITS: u32 = 12;
+/// Half-edges of a part, about, as a power of two: entries, lists and heads then take some 300 kB.
+const PART_BITS: u32 = 14;
 
-/// Entries that are kept together until they fill a line of the cache, so that memory is written by lines.
-const LINE: usize = 8;
+/// Entries that are kept together until they fill three lines of the cache, so that memory is written by lines.
+const RUN: usize = 16;
 
-const END: u32 = u32::MAX;
+const END: u32 = u32::MAX >> 1;
+const PAIRED: u32 = 1 << 31;
 
-/// Steps along lists, for each entry of a part, before it is sorted instead: some vertex has a huge degree.
-const PATIENCE: usize = 16;
+/// Steps along lists, for each half-edge of a part, before the part is sorted instead.
+const PATIENCE: usize = 8;
+
+/// A half-edge: its origin, its target, its number.
+type Entry = [u32; 3];
 
 pub(super) fn pair(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
-    let Some(packing) = Packing::of(vertex_count, faces.len()) else {
-        return counting_sort::pair(vertex_count, faces);
-    };
-    let (mut entries, ends) = deal(vertex_count, faces, packing)?;
+    let (mut entries, ends) = deal(vertex_count, faces)?;
     let mut joiner = Joiner::new(faces)?;
-    let mut part = Part::new(packing, longest(&ends))?;
+    let mut lists = Lists::new(longest(&ends))?;
     let mut start = 0;
     for end in ends {
-        part.pair(&mut entries[start..end], &mut joiner)?;
+        lists.pair(&mut entries[start..end], &mut joiner)?;
         start = end;
     }
-    drop((entries, part)); // the records may need the memory
+    drop((entries, lists)); // the records may need the memory
     joiner.finish()
 }
 
-/// Puts the entries of each part together, in the order of the list. Gives the end of each part.
-fn deal(
+/// Pairs all edges of some lower vertices once more.
+pub(super) fn pair_again(
     vertex_count: usize,
     faces: &[[u32; 3]],
-    packing: Packing,
-) -> Result<(Vec<u64>, Vec<usize>), BuildError> {
-    let part_count = (vertex_count >> packing.part_bits) + 1;
+    lows: &[u32],
+    joiner: &mut Joiner<'_>,
+) -> Result<(), BuildError> {
+    let mut is_again = memory::filled(vertex_count, false)?;
+    lows.iter().for_each(|&low| is_again[low as usize] = true);
+    let mut entries: Vec<Entry> = Vec::new();
+    for (f, &[a, b, c]) in faces.iter().enumerate() {
+        for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
+            if is_again[a.min(b) as usize] {
+                memory::push(&mut entries, [a, b, (3 * f + k) as u32])?;
+            }
+        }
+    }
+    drop(is_again);
+    entries.iter().for_each(|&[_, _, h]| joiner.part(h as usize));
+    Lists::new(entries.len())?.pair(&mut entries, joiner)
+}
+
+/// How far a vertex is shifted to give its part. Vertices have some six half-edges, half of which go to a higher one
+/// and half come from there; where there are far more vertices than that, their parts are as many as for their half-edges.
+fn shift(vertex_count: usize, half_edge_count: usize) -> u32 {
+    let part_count = (half_edge_count >> PART_BITS).max(1);
+    usize::BITS - (vertex_count / part_count).leading_zeros()
+}
+
+/// Puts the entries of each part together, in the order of the list. Gives the end of each part.
+fn deal(vertex_count: usize, faces: &[[u32; 3]]) -> Result<(Vec<Entry>, Vec<usize>), BuildError> {
+    let shift = shift(vertex_count, 3 * faces.len());
+    let part_of = |a: u32, b: u32| (u64::from(a.min(b)) >> shift) as usize;
+    let part_count = (vertex_count as u64 >> shift) as usize + 1;
     let mut ends = memory::filled(part_count, 0)?;
     for &[a, b, c] in faces {
         for (a, b) in [(a, b), (b, c), (c, a)] {
-            ends[(a.min(b) >> packing.part_bits) as usize] += 1;
+            ends[part_of(a, b)] += 1;
         }
     }
     let mut sum = 0;
     for end in &mut ends {
         (*end, sum) = (sum, sum + *end);
     }
-    let mut entries = memory::filled(3 * faces.len(), 0)?;
-    let mut lines = memory::filled(part_count, [0; LINE])?;
+    let mut entries = memory::filled(3 * faces.len(), [0; 3])?;
+    let mut runs = memory::filled(part_count, [[0; 3]; RUN])?;
     for (f, &[a, b, c]) in faces.iter().enumerate() {
         for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
-            let part = (a.min(b) >> packing.part_bits) as usize;
-            let (end, line) = (&mut ends[part], &mut lines[part]);
-            line[*end % LINE] = packing.pack(a, b, 3 * f + k);
+            let part = part_of(a, b);
+            let (end, run) = (&mut ends[part], &mut runs[part]);
+            run[*end % RUN] = [a, b, (3 * f + k) as u32];
             *end += 1;
-            if *end % LINE == 0 {
+            if *end % RUN == 0 {
                 // What this overwrites before the start of its part is the end of parts before, which come last.
-                entries[*end - LINE..*end].copy_from_slice(line);
+                entries[*end - RUN..*end].copy_from_slice(run);
             }
         }
     }
     let mut start = 0;
-    for (&end, line) in ends.iter().zip(&lines) {
-        let from = (end - end % LINE).max(start);
-        entries[from..end].copy_from_slice(&line[from % LINE..][..end - from]);
+    for (&end, run) in ends.iter().zip(&runs) {
+        let from = (end - end % RUN).max(start);
+        entries[from..end].copy_from_slice(&run[from % RUN..][..end - from]);
         start = end;
     }
     Ok((entries, ends))
@@ -78,102 +106,93 @@ fn longest(ends: &[usize]) -> usize {
     ends.iter().zip(starts).map(|(end, start)| end - start).max().unwrap_or(0)
 }
 
-/// How an entry is made of 64 bits: from the top the lower vertex within its part, whether the half-edge starts there, the
-/// higher vertex, the half-edge.
-#[derive(Clone, Copy)]
-struct Packing {
-    part_bits: u32,
-    vertex_bits: u32,
-    half_edge_bits: u32,
-}
-
-impl Packing {
-    /// `None` where they are too many for 64 bits.
-    fn of(vertex_count: usize, face_count: usize) -> Option<Self> {
-        let bits = |count: usize| usize::BITS - count.leading_zeros();
-        let (vertex_bits, half_edge_bits) = (bits(vertex_count), bits(3 * face_count));
-        let room = 63_u32.checked_sub(vertex_bits + half_edge_bits)?;
-        (room >= 8).then_some(Self { part_bits: room.min(PART_BITS), vertex_bits, half_edge_bits })
-    }
-
-    #[inline(always)]
-    fn pack(self, a: u32, b: u32, h: usize) -> u64 {
-        let (low, high) = (a.min(b), a.max(b));
-        let local = low & ((1 << self.part_bits) - 1);
-        let vertex = u64::from(local) << 1 | u64::from(a < b);
-        (vertex << self.vertex_bits | u64::from(high)) << self.half_edge_bits | h as u64
-    }
-
-    #[inline(always)]
-    fn half_edge(self, entry: u64) -> usize {
-        (entry & ((1 << self.half_edge_bits) - 1)) as usize
-    }
-
-    #[inline(always)]
-    fn high(self, entry: u64) -> u64 {
-        entry >> self.half_edge_bits & ((1 << self.vertex_bits) - 1)
-    }
-
-    #[inline(always)]
-    fn local(self, entry: u64) -> usize {
-        (entry >> (self.half_edge_bits + self.vertex_bits + 1)) as usize
-    }
-
-    #[inline(always)]
-    fn is_up(self, entry: u64) -> bool {
-        entry >> (self.half_edge_bits + self.vertex_bits) & 1 == 1
-    }
-}
-
-/// The lists of one part after the other.
-struct Part {
-    packing: Packing,
-    /// The first root of each lower vertex.
+/// The edges of one part after the other, in lists by a hash of both ends.
+struct Lists {
+    /// The first root of each hash.
     head: Vec<u32>,
-    /// The next root in its list, and whether this one is paired.
-    link: Vec<(u32, bool)>,
+    /// The next root with this hash, and at the top whether this one is paired.
+    link: Vec<u32>,
 }
 
-impl Part {
-    fn new(packing: Packing, longest: usize) -> Result<Self, BuildError> {
+impl Lists {
+    fn new(longest: usize) -> Result<Self, BuildError> {
         Ok(Self {
-            packing,
-            head: memory::filled(1 << packing.part_bits, END)?,
-            link: memory::filled(longest, (END, false))?,
+            head: memory::with_room(head_count(longest))?,
+            link: memory::filled(longest.min(END as usize), END)?,
         })
     }
 
-    fn pair(&mut self, entries: &mut [u64], joiner: &mut Joiner<'_>) -> Result<(), BuildError> {
-        let packing = self.packing;
-        self.head.fill(END);
-        let mut patience = PATIENCE * entries.len();
-        for i in 0..entries.len() {
-            let entry = entries[i];
-            let head = &mut self.head[packing.local(entry)];
-            let mut at = *head;
-            loop {
-                if at == END {
-                    self.link[i] = (*head, false);
-                    *head = i as u32;
-                    break;
-                }
-                let root = entries[at as usize];
-                let (next, is_paired) = self.link[at as usize];
-                if packing.high(root) == packing.high(entry) {
-                    let (r, h) = (packing.half_edge(root), packing.half_edge(entry));
-                    if !is_paired && packing.is_up(root) != packing.is_up(entry) {
-                        self.link[at as usize].1 = true;
-                        joiner.pair(r, h);
-                    } else {
-                        joiner.add(r, h)?;
-                    }
-                    break;
-                }
-                at = next;
-                patience = patience.saturating_sub(1);
-            }
+    fn pair(&mut self, entries: &mut [Entry], joiner: &mut Joiner<'_>) -> Result<(), BuildError> {
+        if !self.pair_by_hash(entries, joiner)? {
+            pair_by_sort(entries, joiner)?;
         }
-        let _ = patience;
         Ok(())
     }
+
+    /// Gives up where lists are long, as a fixed hash does not withstand chosen vertices, or where links cannot name
+    /// so many entries.
+    fn pair_by_hash(&mut self, entries: &[Entry], joiner: &mut Joiner<'_>) -> Result<bool, BuildError> {
+        if entries.len() > END as usize {
+            return Ok(false);
+        }
+        let heads = head_count(entries.len());
+        let hash_shift = u64::BITS - heads.ilog2();
+        self.head.clear();
+        self.head.resize(heads, END);
+        let extra = joiner.extra_count();
+        let mut patience = PATIENCE * entries.len();
+        for (i, &[a, b, h]) in entries.iter().enumerate() {
+            let key = u64::from(a.min(b)) << 32 | u64::from(a.max(b));
+            let hash = (key.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> hash_shift) as usize;
+            let mut at = self.head[hash];
+            loop {
+                if at == END {
+                    self.link[i] = self.head[hash];
+                    self.head[hash] = i as u32;
+                    break;
+                }
+                let [c, d, root] = entries[at as usize];
+                let link = self.link[at as usize];
+                if (c, d) == (b, a) && link & PAIRED == 0 {
+                    self.link[at as usize] = link | PAIRED;
+                    joiner.pair(root as usize, h as usize);
+                    break;
+                }
+                if (c, d) == (b, a) || (c, d) == (a, b) {
+                    joiner.add(root as usize, h as usize)?;
+                    break;
+                }
+                at = link & !PAIRED;
+                patience = patience.saturating_sub(1);
+            }
+            if patience == 0 {
+                joiner.forget_extra_beyond(extra);
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}
+
+fn head_count(entries: usize) -> usize {
+    (entries / 2).next_power_of_two().max(2)
+}
+
+/// O(n log n), whatever the vertices. Pairs that were joined before are joined again.
+fn pair_by_sort(entries: &mut [Entry], joiner: &mut Joiner<'_>) -> Result<(), BuildError> {
+    let edge = |&[a, b, _]: &Entry| (a.min(b), a.max(b));
+    entries.sort_unstable_by_key(|entry| (edge(entry), entry[2]));
+    for entries in entries.chunk_by(|x, y| edge(x) == edge(y)) {
+        let [a, _, root] = entries[0];
+        let mut is_paired = false;
+        for &[c, _, h] in &entries[1..] {
+            if c != a && !is_paired {
+                is_paired = true;
+                joiner.pair(root as usize, h as usize);
+            } else {
+                joiner.add(root as usize, h as usize)?;
+            }
+        }
+    }
+    Ok(())
 }
