@@ -20,7 +20,8 @@ pub struct Fans<M: Topology> {
 pub fn fans<M: Adjacency>(mesh: &M) -> Result<Fans<M>, BuildError> {
     let mut outgoing: Map<M::Vertex, Slot<M::HalfEdge>> =
         memory::filled(mesh.vertex_count(), Slot::NONE)?.into();
-    let mut is_single = true;
+    // A fan's start comes before both its neighbours. So does many another half-edge, but most see a better one near by.
+    let mut is_clear = true;
     for h in mesh.half_edges() {
         let is_open = mesh.opposite(h).is_none();
         let is_lesser = |g: Option<M::HalfEdge>| g.is_none_or(|g| h < g);
@@ -39,28 +40,31 @@ pub fn fans<M: Adjacency>(mesh: &M) -> Result<Fans<M>, BuildError> {
             }
             Some(_) => h,
         };
-        is_single = is_single && !is_start(mesh, further);
+        is_clear = is_clear && sees_better(mesh, further);
     }
+    let is_single = is_clear || {
+        let seen: usize = outgoing.iter().map(|(_, first)| Fan::new(mesh, first.get()).count()).sum();
+        seen == mesh.half_edge_count()
+    };
     let several = if is_single { Vec::new() } else { several(mesh, &outgoing)? };
     Ok(Fans { outgoing, several })
 }
 
-/// Whether the fan of `h` starts there: whether it is open and nothing lies clockwise of `h`, or closed and without a
-/// lesser half-edge. Looks both ways at once, so that all half-edges of a fan of n take O(n log n) together.
-fn is_start<M: Adjacency>(mesh: &M, h: M::HalfEdge) -> bool {
-    let Some(mut cw) = mesh.rotate_cw(h) else { return true };
-    let mut ccw = h;
-    loop {
-        match mesh.rotate_ccw(ccw) {
-            Some(g) if g > h => ccw = g,
-            g => return g == Some(h),
+/// Whether some half-edge not far from `h` in its fan is a better start of it: lesser, or, as `h` does not begin an open
+/// fan, the end of one.
+fn sees_better<M: Adjacency>(mesh: &M, h: M::HalfEdge) -> bool {
+    const NEAR: usize = 16;
+    let sees_better = |turn: fn(&M, M::HalfEdge) -> Option<M::HalfEdge>| {
+        let mut at = h;
+        for _ in 0..NEAR {
+            match turn(mesh, at) {
+                Some(g) if g > h => at = g,
+                g => return g != Some(h),
+            }
         }
-        match mesh.rotate_cw(cw) {
-            _ if cw <= h => return cw == h,
-            Some(g) => cw = g,
-            None => return false,
-        }
-    }
+        false
+    };
+    mesh.opposite(h).is_some() && (sees_better(M::rotate_ccw) || sees_better(M::rotate_cw))
 }
 
 impl<M: Topology> Fans<M> {

@@ -2,9 +2,9 @@
 //!
 //! An edge is open while one half-edge of it has come. The next one looks for it among the open edges of its lower vertex, one
 //! or two on a mesh in order, takes it out, and both have their opposite. A third half-edge on that edge then looks
-//! like the first of a new one. So a vertex has a filter as well, a bit for each edge by its other end: where the bit of
-//! a new edge is set, all edges of that lower vertex are paired once more, by lists that keep what is paired. That is so for
-//! every irregular edge, and for some two in a hundred vertices that have none.
+//! like the first of a new one. So a vertex has a filter as well, three bits for each edge by its other end: where those of
+//! a new edge are set, all edges of that lower vertex are paired once more, by lists that keep what is paired. That is so for
+//! every irregular edge, and for a few vertices in a thousand that have none.
 use super::{Paired, joiner::Joiner, partition};
 use crate::{BuildError, HalfEdgeId, Handle, Slot, corner, memory};
 use alloc::vec::Vec;
@@ -21,7 +21,8 @@ const RARE: usize = 4;
 pub(super) fn pair(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
     let mut lists = Lists {
         origin: faces.as_flattened(),
-        heads: memory::filled(vertex_count, Head { open: END, filter: 0 })?,
+        open: memory::filled(vertex_count, END)?,
+        filters: memory::filled(vertex_count, [0; 3])?,
         cell: memory::filled(3 * faces.len(), END)?,
         patience: PATIENCE * 3 * faces.len(),
     };
@@ -44,19 +45,13 @@ pub(super) fn pair(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Paired, Bu
     joiner.finish()
 }
 
-/// What is known of a lower vertex.
-#[derive(Clone, Copy)]
-struct Head {
-    /// The first of its open edges.
-    open: u32,
-    /// A bit for each of its edges, by the other end.
-    filter: u32,
-}
-
 struct Lists<'a> {
     /// Of each half-edge.
     origin: &'a [u32],
-    heads: Vec<Head>,
+    /// The first open edge of each lower vertex.
+    open: Vec<u32>,
+    /// What edges each lower vertex had: a bit in each word for each of them.
+    filters: Vec<[u16; 3]>,
     /// The opposite of each half-edge, or the next open edge.
     cell: Vec<u32>,
     patience: usize,
@@ -67,8 +62,8 @@ impl Lists<'_> {
     #[inline(always)]
     fn add(&mut self, h: u32, a: u32, b: u32) -> bool {
         let (low, high) = (a.min(b), a.max(b));
-        let head = &mut self.heads[low as usize];
-        let (mut before, mut at) = (END, head.open);
+        let open = &mut self.open[low as usize];
+        let (mut before, mut at) = (END, *open);
         while at != END {
             let next = self.cell[at as usize];
             // One end is `low`. The other one of a half-edge that runs back is its origin if this one goes up, else its target;
@@ -76,7 +71,7 @@ impl Lists<'_> {
             let end = if a < b { at as usize } else { corner::next(HalfEdgeId::new(at as usize)).index() };
             if self.origin[end] == high {
                 if before == END {
-                    head.open = next;
+                    *open = next;
                 } else {
                     self.cell[before as usize] = next;
                 }
@@ -88,20 +83,22 @@ impl Lists<'_> {
             self.patience = self.patience.saturating_sub(1);
         }
         if before == END {
-            head.open = h;
+            *open = h;
         } else {
             self.cell[before as usize] = h;
         }
-        let bit = 1 << (high.wrapping_mul(0x9E37_79B9) >> 27);
-        let is_in_doubt = head.filter & bit != 0;
-        head.filter |= bit;
-        is_in_doubt
+        let hash = high.wrapping_mul(0x9E37_79B9);
+        let bits = [hash >> 28, hash >> 24, hash >> 20].map(|place| 1 << (place & 15));
+        let filter = &mut self.filters[low as usize];
+        let [x, y, z] = *filter;
+        *filter = [x | bits[0], y | bits[1], z | bits[2]];
+        *filter == [x, y, z]
     }
 
     /// Edges that are open in the end have no opposite.
     fn into_opposites(mut self) -> Vec<Slot<HalfEdgeId>> {
-        for head in self.heads {
-            let mut at = head.open;
+        drop(self.filters);
+        for mut at in self.open {
             while at != END {
                 at = core::mem::replace(&mut self.cell[at as usize], END);
             }
