@@ -94,16 +94,6 @@ impl<'a> Joiner<'a> {
         memory::push(&mut self.extra, (HalfEdgeId::new(root), HalfEdgeId::new(h)))
     }
 
-    /// How many did not pair so far.
-    pub(super) fn extra_count(&self) -> usize {
-        self.extra.len()
-    }
-
-    /// For a strategy that begins again.
-    pub(super) fn forget_extra_beyond(&mut self, count: usize) {
-        self.extra.truncate(count);
-    }
-
     pub(super) fn finish(mut self) -> Result<Paired, BuildError> {
         self.extra.sort_unstable();
         let by_root = || self.extra.chunk_by(|a, b| a.0 == b.0);

@@ -35,8 +35,8 @@ pub enum Pairing {
     /// faces that are near in the mesh are near in the list. Goes over to `Partition` where lists get long, so it is never
     /// worse than that by more than a constant.
     Chain,
-    /// Half-edges dealt into parts of the size of the cache by the lower vertex of their edge, and paired there by a hash;
-    /// a part where lists get long is sorted. O(n log(largest part)), whatever the input; the fastest on a shuffled mesh.
+    /// Half-edges dealt into parts of the size of the cache by the lower vertex of their edge, and sorted there.
+    /// O(n log(largest degree)), whatever the input; the fastest on a shuffled mesh.
     Partition,
 }
 
@@ -90,7 +90,7 @@ pub struct Paired {
 }
 
 /// Pairs the half-edges of `faces`. Beyond the result, on a mesh without irregular edges, `Chain` takes 10 bytes a
-/// vertex, `Partition` 36 a face and up to 6 more for each half-edge of the largest part, `PaperHash` 24 a face, `Hash`
+/// vertex, `Partition` 36 a face and some 14 more for each half-edge of the largest part, `PaperHash` 24 a face, `Hash`
 /// some 40 to 80 a face, and `Quadratic` nothing. `Auto` is one of the first two.
 ///
 /// # Errors

@@ -6,17 +6,11 @@ use super::{Paired, joiner::Joiner};
 use crate::{BuildError, memory};
 use alloc::vec::Vec;
 
-/// Half-edges of a part, about, as a power of two: entries, lists and heads then take some 300 kB.
+/// Half-edges of a part, about, as a power of two: with their buckets they take some 500 kB.
 const PART_BITS: u32 = 14;
 
 /// Entries that are kept together until they fill three lines of the cache, so that memory is written by lines.
 const RUN: usize = 16;
-
-const END: u32 = u32::MAX >> 1;
-const PAIRED: u32 = 1 << 31;
-
-/// Steps along lists, for each half-edge of a part, before the part is sorted instead.
-const PATIENCE: usize = 8;
 
 /// A half-edge: its origin, its target, its number.
 type Entry = [u32; 3];
@@ -24,13 +18,13 @@ type Entry = [u32; 3];
 pub(super) fn pair(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
     let (mut entries, ends) = deal(vertex_count, faces)?;
     let mut joiner = Joiner::new(faces)?;
-    let mut lists = Lists::new(longest(&ends))?;
+    let mut buckets = Buckets::new(shift(vertex_count, 3 * faces.len()), longest(&ends))?;
     let mut start = 0;
     for end in ends {
-        lists.pair(&mut entries[start..end], &mut joiner)?;
+        buckets.pair(&mut entries[start..end], &mut joiner)?;
         start = end;
     }
-    drop((entries, lists)); // the records may need the memory
+    drop((entries, buckets)); // the records may need the memory
     joiner.finish()
 }
 
@@ -53,7 +47,7 @@ pub(super) fn pair_again(
     }
     drop(is_again);
     entries.iter().for_each(|&[_, _, h]| joiner.part(h as usize));
-    Lists::new(entries.len())?.pair(&mut entries, joiner)
+    pair_by_sort(&mut entries, joiner)
 }
 
 /// How far a vertex is shifted to give its part. Vertices have some six half-edges, half of which go to a higher one
@@ -106,92 +100,78 @@ fn longest(ends: &[usize]) -> usize {
     ends.iter().zip(starts).map(|(end, start)| end - start).max().unwrap_or(0)
 }
 
-/// The edges of one part after the other, in lists by a hash of both ends.
-struct Lists {
-    /// The first root of each hash.
-    head: Vec<u32>,
-    /// The next root with this hash, and at the top whether this one is paired.
-    link: Vec<u32>,
+/// The edges of one part after the other, in buckets by their lower vertex.
+struct Buckets {
+    shift: u32,
+    /// The end of each bucket; none where vertices are far more than half-edges.
+    ends: Vec<u32>,
+    /// The higher vertex, the half-edge, its origin.
+    sorted: Vec<Entry>,
 }
 
-impl Lists {
-    fn new(longest: usize) -> Result<Self, BuildError> {
+impl Buckets {
+    fn new(shift: u32, longest: usize) -> Result<Self, BuildError> {
+        let bucket_count = 1_u64 << shift;
+        let is_sparse = bucket_count > 4 * longest as u64;
         Ok(Self {
-            head: memory::with_room(head_count(longest))?,
-            link: memory::filled(longest.min(END as usize), END)?,
+            shift,
+            ends: memory::filled(if is_sparse { 0 } else { bucket_count as usize }, 0)?,
+            sorted: memory::filled(if is_sparse { 0 } else { longest }, [0; 3])?,
         })
     }
 
     fn pair(&mut self, entries: &mut [Entry], joiner: &mut Joiner<'_>) -> Result<(), BuildError> {
-        if !self.pair_by_hash(entries, joiner)? {
-            pair_by_sort(entries, joiner)?;
+        if self.ends.is_empty() {
+            return pair_by_sort(entries, joiner);
+        }
+        let bucket_of = |a: u32, b: u32| a.min(b) as usize & ((1 << self.shift) - 1);
+        self.ends.fill(0);
+        for &[a, b, _] in &*entries {
+            self.ends[bucket_of(a, b)] += 1;
+        }
+        let mut sum = 0;
+        for end in &mut self.ends {
+            (*end, sum) = (sum, sum + *end);
+        }
+        for &[a, b, h] in &*entries {
+            let end = &mut self.ends[bucket_of(a, b)];
+            self.sorted[*end as usize] = [a.max(b), h, a];
+            *end += 1;
+        }
+        let mut start = 0;
+        for &end in &self.ends {
+            let bucket = &mut self.sorted[start as usize..end as usize];
+            bucket.sort_unstable();
+            for edge in bucket.chunk_by(|x, y| x[0] == y[0]) {
+                join(edge.iter().map(|&[_, h, a]| (h, a)), joiner)?;
+            }
+            start = end;
         }
         Ok(())
     }
-
-    /// Gives up where lists are long, as a fixed hash does not withstand chosen vertices, or where links cannot name
-    /// so many entries.
-    fn pair_by_hash(&mut self, entries: &[Entry], joiner: &mut Joiner<'_>) -> Result<bool, BuildError> {
-        if entries.len() > END as usize {
-            return Ok(false);
-        }
-        let heads = head_count(entries.len());
-        let hash_shift = u64::BITS - heads.ilog2();
-        self.head.clear();
-        self.head.resize(heads, END);
-        let extra = joiner.extra_count();
-        let mut patience = PATIENCE * entries.len();
-        for (i, &[a, b, h]) in entries.iter().enumerate() {
-            let key = u64::from(a.min(b)) << 32 | u64::from(a.max(b));
-            let hash = (key.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> hash_shift) as usize;
-            let mut at = self.head[hash];
-            loop {
-                if at == END {
-                    self.link[i] = self.head[hash];
-                    self.head[hash] = i as u32;
-                    break;
-                }
-                let [c, d, root] = entries[at as usize];
-                let link = self.link[at as usize];
-                if (c, d) == (b, a) && link & PAIRED == 0 {
-                    self.link[at as usize] = link | PAIRED;
-                    joiner.pair(root as usize, h as usize);
-                    break;
-                }
-                if (c, d) == (b, a) || (c, d) == (a, b) {
-                    joiner.add(root as usize, h as usize)?;
-                    break;
-                }
-                at = link & !PAIRED;
-                patience = patience.saturating_sub(1);
-            }
-            if patience == 0 {
-                joiner.forget_extra_beyond(extra);
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    }
 }
 
-fn head_count(entries: usize) -> usize {
-    (entries / 2).next_power_of_two().max(2)
-}
-
-/// O(n log n), whatever the vertices. Pairs that were joined before are joined again.
+/// Without a table over the vertices. O(n log n) as well, but in all n and not in a bucket.
 fn pair_by_sort(entries: &mut [Entry], joiner: &mut Joiner<'_>) -> Result<(), BuildError> {
     let edge = |&[a, b, _]: &Entry| (a.min(b), a.max(b));
     entries.sort_unstable_by_key(|entry| (edge(entry), entry[2]));
     for entries in entries.chunk_by(|x, y| edge(x) == edge(y)) {
-        let [a, _, root] = entries[0];
-        let mut is_paired = false;
-        for &[c, _, h] in &entries[1..] {
-            if c != a && !is_paired {
-                is_paired = true;
-                joiner.pair(root as usize, h as usize);
-            } else {
-                joiner.add(root as usize, h as usize)?;
-            }
+        join(entries.iter().map(|&[a, _, h]| (h, a)), joiner)?;
+    }
+    Ok(())
+}
+
+/// The half-edges of one edge, ascending, each with its origin.
+#[inline]
+fn join(mut half_edges: impl Iterator<Item = (u32, u32)>, joiner: &mut Joiner<'_>) -> Result<(), BuildError> {
+    let Some((root, a)) = half_edges.next() else { return Ok(()) };
+    let mut is_paired = false;
+    for (h, b) in half_edges {
+        if a != b && !is_paired {
+            is_paired = true;
+            joiner.pair(root as usize, h as usize);
+        } else {
+            joiner.add(root as usize, h as usize)?;
         }
     }
     Ok(())
