@@ -25,7 +25,7 @@ pub fn fans<M: Adjacency>(mesh: &M) -> Result<Fans<M>, BuildError> {
     for h in mesh.half_edges() {
         let is_open = mesh.opposite(h).is_none();
         let is_lesser = |g: Option<M::HalfEdge>| g.is_none_or(|g| h < g);
-        if !is_open && !(is_lesser(mesh.rotate_cw(h)) && is_lesser(mesh.rotate_ccw(h))) {
+        if !(is_open || is_lesser(mesh.rotate_cw(h)) && is_lesser(mesh.rotate_ccw(h))) {
             continue;
         }
         let first = &mut outgoing[mesh.origin(h)];
