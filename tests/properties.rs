@@ -17,7 +17,7 @@ const PAIRINGS: [Pairing; 6] = [
     Pairing::Quadratic,
     Pairing::PaperHash,
     Pairing::Hash,
-    Pairing::CountingSort,
+    Pairing::Partition,
     Pairing::Chain,
 ];
 

@@ -62,7 +62,7 @@ fn strategies(c: &mut Criterion) {
         println!("{name}: auto takes {}", Pairing::choose(vertices, &faces));
         let mut group = c.benchmark_group(format!("pairing, {name}"));
         group.sample_size(10).throughput(Throughput::Elements(faces.len() as u64));
-        for strategy in [Pairing::Chain, Pairing::CountingSort, Pairing::PaperHash, Pairing::Hash] {
+        for strategy in [Pairing::Chain, Pairing::Partition, Pairing::PaperHash, Pairing::Hash] {
             group.bench_with_input(BenchmarkId::from_parameter(strategy), &strategy, |b, &strategy| {
                 b.iter(|| pairing::pair(vertices, &faces, strategy));
             });

@@ -20,15 +20,51 @@ pub struct Fans<M: Topology> {
 pub fn fans<M: Adjacency>(mesh: &M) -> Result<Fans<M>, BuildError> {
     let mut outgoing: Map<M::Vertex, Slot<M::HalfEdge>> =
         memory::filled(mesh.vertex_count(), Slot::NONE)?.into();
+    // A fan's start comes before both its neighbours. So does many another half-edge, but most see a better one near by.
+    let mut is_clear = true;
     for h in mesh.half_edges() {
-        let first = &mut outgoing[mesh.origin(h)];
-        if first.get().is_none_or(|g| mesh.opposite(h).is_none() && mesh.opposite(g).is_some()) {
-            *first = Slot::some(h);
+        let is_open = mesh.opposite(h).is_none();
+        let is_lesser = |g: Option<M::HalfEdge>| g.is_none_or(|g| h < g);
+        if !(is_open || is_lesser(mesh.rotate_cw(h)) && is_lesser(mesh.rotate_ccw(h))) {
+            continue;
         }
+        let first = &mut outgoing[mesh.origin(h)];
+        let further = match first.get() {
+            None => {
+                *first = Slot::some(h);
+                continue;
+            }
+            Some(g) if is_open && mesh.opposite(g).is_some() => {
+                *first = Slot::some(h);
+                g
+            }
+            Some(_) => h,
+        };
+        is_clear = is_clear && sees_better(mesh, further);
     }
-    let seen: usize = outgoing.iter().map(|(_, first)| Fan::new(mesh, first.get()).count()).sum();
-    let several = if seen == mesh.half_edge_count() { Vec::new() } else { several(mesh, &outgoing)? };
+    let is_single = is_clear || {
+        let seen: usize = outgoing.iter().map(|(_, first)| Fan::new(mesh, first.get()).count()).sum();
+        seen == mesh.half_edge_count()
+    };
+    let several = if is_single { Vec::new() } else { several(mesh, &outgoing)? };
     Ok(Fans { outgoing, several })
+}
+
+/// Whether some half-edge not far from `h` in its fan is a better start of it: lesser, or, as `h` does not begin an open
+/// fan, the end of one.
+fn sees_better<M: Adjacency>(mesh: &M, h: M::HalfEdge) -> bool {
+    const NEAR: usize = 16;
+    let sees_better = |turn: fn(&M, M::HalfEdge) -> Option<M::HalfEdge>| {
+        let mut at = h;
+        for _ in 0..NEAR {
+            match turn(mesh, at) {
+                Some(g) if g > h => at = g,
+                g => return g != Some(h),
+            }
+        }
+        false
+    };
+    mesh.opposite(h).is_some() && (sees_better(M::rotate_ccw) || sees_better(M::rotate_cw))
 }
 
 impl<M: Topology> Fans<M> {

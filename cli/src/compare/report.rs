@@ -80,8 +80,7 @@ fn memory(mesh: &Mesh) -> Table {
 }
 
 fn builds(mesh: &Mesh) -> Table {
-    let header =
-        ["Build, ms", "mesh", "auto", "without hash", "paper hash", "hash", "counting sort", "chain"];
+    let header = ["Build, ms", "mesh", "auto", "without hash", "paper hash", "hash", "partition", "chain"];
     let mut table = table(&header, 2);
     for row in mesh.backends.iter().filter(|row| !row.build.0.is_empty()) {
         let times = row.build.0.iter().map(|&(_, timing)| scaled(timing, 1e6));

@@ -1,106 +1,108 @@
-//! A list of edges for each lower vertex, linked through the table of opposites itself.
+//! Lists of open edges for each lower vertex, linked through the table of opposites itself.
 //!
-//! While it runs, the cell of half-edge `h` holds, for an edge whose root is `h`:
-//! - the next root in the list of its lower vertex, where `h` is alone so far;
-//! - its opposite with the top bit set, where it is paired; the next root then stands in the opposite's cell.
-//!
-//! A paired edge stays in its list, so that a third face is noticed when it comes. New roots go to the end of
-//! a list (the search has walked there anyway), so a link always leads to a later half-edge. That is what tells
-//! links and opposites apart in the end, in one pass.
-use super::{Paired, counting_sort, joiner::Joiner};
+//! An edge is open while one half-edge of it has come. The next one looks for it among the open edges of its lower vertex, one
+//! or two on a mesh in order, takes it out, and both have their opposite. A third half-edge on that edge then looks
+//! like the first of a new one. So a vertex has a filter as well, three bits for each edge by its other end: where those of
+//! a new edge are set, all edges of that lower vertex are paired once more, by lists that keep what is paired. That is so for
+//! every irregular edge, and for a few vertices in a thousand that have none.
+use super::{Paired, joiner::Joiner, partition};
 use crate::{BuildError, HalfEdgeId, Handle, Slot, corner, memory};
 use alloc::vec::Vec;
 
-const PAIRED: u32 = 1 << 31;
-const END: u32 = PAIRED - 1;
+const END: u32 = u32::MAX;
 
-/// One bit of a cell is taken, and `END` is no half-edge.
-pub(super) const MAX_HALF_EDGES: usize = END as usize;
+/// Steps along lists, for each half-edge, before the input is taken for one that is shuffled or has a few vertices of
+/// huge degree. On a mesh in order it is about one.
+const PATIENCE: usize = 4;
 
-/// Steps along lists, for each half-edge, before the input is taken for one with a few vertices of huge degree.
-/// A list has some three edges on a mesh of degree 6, and a search ends in it or at its end.
-const PATIENCE: usize = 16;
+/// Lower vertices in doubt, for each face, before partition serves all of them better: 1 in so many.
+const RARE: usize = 4;
 
 pub(super) fn pair(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
-    if 3 * faces.len() > MAX_HALF_EDGES {
-        return counting_sort::pair(vertex_count, faces);
-    }
     let mut lists = Lists {
-        faces,
-        head: memory::filled(vertex_count, END)?,
+        origin: faces.as_flattened(),
+        open: memory::filled(vertex_count, END)?,
+        filters: memory::filled(vertex_count, [0; 3])?,
         cell: memory::filled(3 * faces.len(), END)?,
+        patience: PATIENCE * 3 * faces.len(),
     };
-    let mut extra = Vec::new();
-    let mut patience = PATIENCE * 3 * faces.len();
+    let mut in_doubt = Vec::new();
     for (f, &[a, b, c]) in faces.iter().enumerate() {
         for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
-            let h = (3 * f + k) as u32;
-            if let Some(root) = lists.add(h, a, b, &mut patience) {
-                memory::push(&mut extra, (HalfEdgeId::new(root as usize), HalfEdgeId::new(h as usize)))?;
+            if lists.add((3 * f + k) as u32, a, b) {
+                memory::push(&mut in_doubt, a.min(b))?;
             }
         }
-        if patience == 0 {
-            drop(lists);
-            return counting_sort::pair(vertex_count, faces);
+        if lists.patience == 0 || in_doubt.len() > faces.len() / RARE + 1 {
+            drop((lists, in_doubt));
+            return partition::pair(vertex_count, faces);
         }
     }
-    Joiner::with(faces, lists.into_opposites(), extra).finish()
+    let mut joiner = Joiner::with(faces, lists.into_opposites());
+    if !in_doubt.is_empty() {
+        partition::pair_again(vertex_count, faces, &in_doubt, &mut joiner)?;
+    }
+    joiner.finish()
 }
 
 struct Lists<'a> {
-    faces: &'a [[u32; 3]],
-    head: Vec<u32>,
+    /// Of each half-edge.
+    origin: &'a [u32],
+    /// The first open edge of each lower vertex.
+    open: Vec<u32>,
+    /// What edges each lower vertex had: a bit in each word for each of them.
+    filters: Vec<[u16; 3]>,
+    /// The opposite of each half-edge, or the next open edge.
     cell: Vec<u32>,
+    patience: usize,
 }
 
 impl Lists<'_> {
-    /// Adds half-edge `h`, which runs from `a` to `b`. Gives the root of its edge where it does not pair.
+    /// Adds half-edge `h`, which runs from `a` to `b`. Gives whether it may not be the first of the edge it opens.
     #[inline(always)]
-    fn add(&mut self, h: u32, a: u32, b: u32, patience: &mut usize) -> Option<u32> {
-        let low = a.min(b);
-        let mut root = self.head[low as usize];
-        if root == END {
-            self.head[low as usize] = h;
-            return None;
+    fn add(&mut self, h: u32, a: u32, b: u32) -> bool {
+        let (low, high) = (a.min(b), a.max(b));
+        let open = &mut self.open[low as usize];
+        let (mut before, mut at) = (END, *open);
+        while at != END {
+            let next = self.cell[at as usize];
+            // One end is `low`. The other one of a half-edge that runs back is its origin if this one goes up, else its target;
+            // at one that runs along with this it is `low` there, which is not `high`.
+            let end = if a < b { at as usize } else { corner::next(HalfEdgeId::new(at as usize)).index() };
+            if self.origin[end] == high {
+                if before == END {
+                    *open = next;
+                } else {
+                    self.cell[before as usize] = next;
+                }
+                self.cell[at as usize] = h;
+                self.cell[h as usize] = at;
+                return false;
+            }
+            (before, at) = (at, next);
+            self.patience = self.patience.saturating_sub(1);
         }
-        loop {
-            let (c, d) =
-                (corner::origin(self.faces, root as usize), corner::target(self.faces, root as usize));
-            let cell = self.cell[root as usize];
-            let is_paired = cell & PAIRED != 0;
-            if (c, d) == (b, a) && !is_paired {
-                self.cell[root as usize] = h | PAIRED;
-                self.cell[h as usize] = cell;
-                return None;
-            }
-            if (c, d) == (b, a) || (c, d) == (a, b) {
-                return Some(root);
-            }
-            let link = if is_paired { cell & !PAIRED } else { root };
-            let next = self.cell[link as usize];
-            if next == END {
-                self.cell[link as usize] = h;
-                return None;
-            }
-            root = next;
-            *patience = patience.saturating_sub(1);
+        if before == END {
+            *open = h;
+        } else {
+            self.cell[before as usize] = h;
         }
+        let hash = high.wrapping_mul(0x9E37_79B9);
+        let bits = [hash >> 28, hash >> 24, hash >> 20].map(|place| 1 << (place & 15));
+        let filter = &mut self.filters[low as usize];
+        let [x, y, z] = *filter;
+        *filter = [x | bits[0], y | bits[1], z | bits[2]];
+        *filter == [x, y, z]
     }
 
-    /// Turns links into opposites, in place.
+    /// Edges that are open in the end have no opposite.
     fn into_opposites(mut self) -> Vec<Slot<HalfEdgeId>> {
-        self.head = Vec::new();
-        for h in 0..self.cell.len() {
-            let cell = self.cell[h];
-            if cell & PAIRED != 0 {
-                self.cell[h] = cell & !PAIRED;
-                self.cell[(cell & !PAIRED) as usize] = h as u32;
-            } else if cell as usize > h {
-                self.cell[h] = u32::MAX; // a link, or the end of a list
+        drop(self.filters);
+        for mut at in self.open {
+            while at != END {
+                at = core::mem::replace(&mut self.cell[at as usize], END);
             }
         }
-        let slot =
-            |cell| if cell == u32::MAX { Slot::NONE } else { Slot::some(HalfEdgeId::new(cell as usize)) };
-        self.cell.into_iter().map(slot).collect() // in place
+        bytemuck::cast_vec(self.cell) // `END` is none
     }
 }

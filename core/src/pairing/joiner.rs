@@ -60,12 +60,13 @@ impl<'a> Joiner<'a> {
     }
 
     /// For a strategy that has joined pairs by itself.
-    pub(super) fn with(
-        faces: &'a [[u32; 3]],
-        opposite: Vec<Slot<HalfEdgeId>>,
-        extra: Vec<(HalfEdgeId, HalfEdgeId)>,
-    ) -> Self {
-        Self { faces, opposite, extra }
+    pub(super) fn with(faces: &'a [[u32; 3]], opposite: Vec<Slot<HalfEdgeId>>) -> Self {
+        Self { faces, opposite, extra: Vec::new() }
+    }
+
+    /// Forgets what `h` was joined to.
+    pub(super) fn part(&mut self, h: usize) {
+        self.opposite[h] = Slot::NONE;
     }
 
     /// `h` lies along the same edge as `root`, the first half-edge there.
@@ -74,12 +75,23 @@ impl<'a> Joiner<'a> {
         let (r, s) = (HalfEdgeId::new(root), HalfEdgeId::new(h));
         let is_opposite = corner::origin(self.faces, root) != corner::origin(self.faces, h);
         if is_opposite && self.opposite[root].get().is_none() {
-            self.opposite[root] = Slot::some(s);
-            self.opposite[h] = Slot::some(r);
+            self.pair(root, h);
             Ok(())
         } else {
             memory::push(&mut self.extra, (r, s))
         }
+    }
+
+    /// `h` is the first to run back along the edge of `root`.
+    #[inline(always)]
+    pub(super) fn pair(&mut self, root: usize, h: usize) {
+        self.opposite[root] = Slot::some(HalfEdgeId::new(h));
+        self.opposite[h] = Slot::some(HalfEdgeId::new(root));
+    }
+
+    /// `h` lies along the edge of `root` as well, and does not pair.
+    pub(super) fn add(&mut self, root: usize, h: usize) -> Result<(), BuildError> {
+        memory::push(&mut self.extra, (HalfEdgeId::new(root), HalfEdgeId::new(h)))
     }
 
     pub(super) fn finish(mut self) -> Result<Paired, BuildError> {
