@@ -43,15 +43,19 @@ fn output(command: &mut Command, limit: Duration) -> Result<String, String> {
             }
         }
     };
-    let read = |stream: Option<&mut dyn Read>| {
-        let mut bytes = Vec::new();
-        stream.map_or(Ok(0), |stream| stream.read_to_end(&mut bytes)).map_err(|error| error.to_string())?;
-        Ok::<_, String>(String::from_utf8_lossy(&bytes).into_owned())
-    };
     if status.success() {
-        return read(child.stdout.as_mut().map(|stream| stream as _));
+        text(child.stdout.take())
+    } else {
+        Err(reason(status, &text(child.stderr.take())?))
     }
-    Err(reason(status, &read(child.stderr.as_mut().map(|stream| stream as _))?))
+}
+
+fn text(stream: Option<impl Read>) -> Result<String, String> {
+    let mut bytes = Vec::new();
+    if let Some(mut stream) = stream {
+        stream.read_to_end(&mut bytes).map_err(|error| error.to_string())?;
+    }
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 /// The last line that says something; else how the process ended.

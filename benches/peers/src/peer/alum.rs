@@ -2,7 +2,7 @@
 
 use super::Structure;
 use crate::mesh::{Mesh as Arrays, ring_sum};
-use alum::{Handle, HasIterators, HasTopology, PolyMeshF32, Vec3};
+use alum::{Handle, HasIterators, HasTopology, PolyMeshF32, VH, Vec3};
 
 pub(super) struct Mesh(PolyMeshF32);
 
@@ -16,13 +16,13 @@ impl Structure for Mesh {
             mesh.add_vertex(Vec3(x, y, z)).map_err(|error| format!("{error:?}"))?;
         }
         for face in &arrays.faces {
-            mesh.add_face(&face.map(Into::into)).map_err(|error| format!("{error:?}"))?;
+            mesh.add_face(&face.map(VH::from)).map_err(|error| format!("{error:?}"))?;
         }
         Ok(Self(mesh))
     }
 
     fn sweep(&self) -> Option<u64> {
-        let ring = |v: alum::VH| ring_sum(v.index(), self.0.vv_ccw_iter(v).map(|u| u.index()));
+        let ring = |v: VH| ring_sum(v.index(), self.0.vv_ccw_iter(v).map(|u| u.index()));
         Some(self.0.vertices().map(ring).fold(0, u64::wrapping_add))
     }
 }

@@ -85,7 +85,7 @@ fn run<S: Structure>(mesh: &Mesh) -> Result<Run, String> {
 }
 
 fn once<S: Structure>(mesh: &Mesh) -> Result<Run, String> {
-    let input = S::Input::from(mesh);
+    let input: S::Input<'_> = mesh.into();
     let start = seconds();
     let (built, growth) = heap::growth(|| S::build(input));
     let build_seconds = seconds() - start;

@@ -2,7 +2,8 @@
 
 use super::Structure;
 use crate::mesh::{Mesh as Arrays, ring_sum};
-use three_d_asset::{Indices, Positions, TriMesh, vec3};
+use three_d_asset::prelude::vec3;
+use three_d_asset::{Indices, Positions, TriMesh};
 
 pub(super) struct Mesh(tri_mesh::Mesh);
 
@@ -28,7 +29,9 @@ impl Structure for Mesh {
 
     fn sweep(&self) -> Option<u64> {
         let target = |h| self.0.walker_from_halfedge(h).vertex_id();
-        let ring = |v| ring_sum(*v, self.0.vertex_halfedge_iter(v).filter_map(target).map(|u| *u));
+        let ring = |v: tri_mesh::VertexID| {
+            ring_sum(*v, self.0.vertex_halfedge_iter(v).filter_map(target).map(|u| *u))
+        };
         Some(self.0.vertex_iter().map(ring).fold(0, u64::wrapping_add))
     }
 }
