@@ -60,6 +60,6 @@ fn text(stream: Option<impl Read>) -> Result<String, String> {
 
 /// The last line that says something; else how the process ended.
 fn reason(status: ExitStatus, errors: &str) -> String {
-    let lines = errors.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("note:"));
-    lines.last().map_or_else(|| status.to_string(), str::to_owned)
+    let mut lines = errors.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("note:"));
+    lines.next_back().map_or_else(|| status.to_string(), str::to_owned)
 }
