@@ -60,6 +60,7 @@ fn text(stream: Option<impl Read>) -> Result<String, String> {
 
 /// The last line that says something; else how the process ended.
 fn reason(status: ExitStatus, errors: &str) -> String {
-    let mut lines = errors.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("note:"));
+    let mut lines =
+        errors.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("note:"));
     lines.next_back().map_or_else(|| status.to_string(), str::to_owned)
 }
