@@ -1,0 +1,41 @@
+//! halfedge: built by its one function for triangles, walked by its iterator that does not allocate.
+
+use super::Structure;
+use crate::mesh::{Mesh as Arrays, ring_sum};
+use halfedge::traversal::VertexAdjacentVertsLazy;
+use halfedge::{MeshStorage, VertexId, build_mesh_from_vertices_and_faces};
+use slotmap::Key;
+
+pub(super) struct Mesh(MeshStorage);
+
+/// Positions are of `f64` there.
+pub(super) struct Input<'a> {
+    positions: Vec<[f64; 3]>,
+    faces: &'a [[u32; 3]],
+}
+
+impl<'a> From<&'a Arrays> for Input<'a> {
+    fn from(mesh: &'a Arrays) -> Self {
+        Self { positions: mesh.positions.iter().map(|p| p.map(f64::from)).collect(), faces: &mesh.faces }
+    }
+}
+
+/// Slots are counted from one, and stand in the lower half.
+fn index(v: VertexId) -> u32 {
+    (v.data().as_ffi() as u32).wrapping_sub(1)
+}
+
+impl Structure for Mesh {
+    type Input<'a> = Input<'a>;
+
+    fn build(input: Input<'_>) -> Result<Self, String> {
+        build_mesh_from_vertices_and_faces(&input.positions, input.faces)
+            .map(Self)
+            .map_err(|error| format!("{error:?}"))
+    }
+
+    fn sweep(&self) -> Option<u64> {
+        let ring = |v| ring_sum(index(v), VertexAdjacentVertsLazy::new(&self.0, v).map(index));
+        Some(self.0.vertex_ids().map(ring).fold(0, u64::wrapping_add))
+    }
+}
