@@ -283,7 +283,7 @@ fn an_edge_of_many_faces_is_passed_over_a_few_times() {
     assert_eq!(all.faces().len(), faces.len());
     assert!(mesh.steps.replace(0) <= most);
     let tip = VertexId::new(0);
-    let found = region::stalactite(&mesh, &positions, tip, StalactiteOptions::default()).unwrap();
+    let found = region::stalactite(&mesh, &positions, tip, &StalactiteOptions::default()).unwrap();
     assert_eq!(found.faces().len(), faces.len());
     assert!(mesh.steps.get() <= most, "{} steps", mesh.steps.get());
 }
@@ -294,7 +294,7 @@ fn a_degenerate_face_is_in_a_region_once() {
     let mesh = Searched::new(soup);
     let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into();
     let found =
-        region::stalactite(&mesh, &positions, VertexId::new(0), StalactiteOptions::default()).unwrap();
+        region::stalactite(&mesh, &positions, VertexId::new(0), &StalactiteOptions::default()).unwrap();
     let mut faces = found.faces().to_vec();
     faces.sort_unstable();
     assert_eq!(faces, [0, 1].map(FaceId::new));

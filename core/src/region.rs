@@ -1,7 +1,5 @@
 //! Regions: faces grown from a seed.
-use crate::{Adjacency, Handle, Map, Topology, measure};
-use alloc::vec::Vec;
-use crate::{Adjacency, Handle, Map, Topology, relations, vector, vector::Vector};
+use crate::{Adjacency, Handle, Map, Topology, measure, relations};
 use alloc::{collections::BTreeMap, vec::Vec};
 
 mod stalactite;

@@ -1,9 +1,6 @@
 //! The faces of a stalactite, from one of its vertices.
-use super::{Region, grown};
+use super::{Entry, Region, grown};
 use crate::{Incidence, Map, NotFinite, normals, not_finite};
-use alloc::vec::Vec;
-use super::{Entry, Region, grown, normal};
-use crate::{Incidence, Map, NotFinite, not_finite, vector};
 
 /// What [`stalactite()`] takes for the flank of a stalactite.
 #[derive(Clone, Copy, Debug, PartialEq)]
