@@ -100,7 +100,8 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Query(query) => query.check(),
         Command::Region(region) => region.check(),
         Command::Deform(deform) => deform.check(),
-        Command::Contours(_) | Command::Minima(_) => {}
+        Command::Contours(of) => of.mesh.spare(&[("--lines", &of.lines), ("--svg", &of.svg)]),
+        Command::Minima(of) => of.mesh.spare(&[("--points", &of.points), ("--svg", &of.svg)]),
         Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))

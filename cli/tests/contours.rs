@@ -244,6 +244,26 @@ fn output_that_cannot_be_written_leaves_nothing() {
 
 /// The picture in the README is the one that the command there makes.
 #[test]
+fn the_mesh_that_is_read_is_spared() {
+    let mesh = fresh("contours", "spared", PYRAMID).with_file_name("pyramid.obj");
+    fs::write(&mesh, PYRAMID).unwrap();
+    let same = mesh.to_str().unwrap();
+    let otherwise = mesh.parent().unwrap().join(".").join("pyramid.obj");
+    for (command, option) in [
+        ("contours", "--lines"),
+        ("contours", "--svg"),
+        ("minima", "--points"),
+        ("minima", "--svg"),
+        ("deform", "--png"),
+    ] {
+        let run = onering([command, same, option, otherwise.to_str().unwrap()]);
+        assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{command} {option}: {run:?}");
+        assert!(run.err.contains("it is the mesh to read"), "{command} {option}: {run:?}");
+        assert_eq!(fs::read_to_string(&mesh).unwrap(), PYRAMID);
+    }
+}
+
+#[test]
 fn the_picture_in_the_documents_is_up_to_date() {
     let out = fresh("picture", "none", "").with_file_name("contours.svg");
     let run = onering(["contours", "--minima", "--svg", out.to_str().unwrap()]);

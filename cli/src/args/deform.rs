@@ -78,6 +78,7 @@ pub(crate) struct Deform {
 
 impl Deform {
     pub(super) fn check(&self) {
+        self.mesh.spare(&[("--png", &self.png)]);
         let numbers = [
             ("stiffness", self.stiffness, true),
             ("tolerance", self.tolerance, true),

@@ -1,9 +1,10 @@
 //! What every command says that works on one mesh: the file, its format, what to mend; and the structure to hold it in.
 
-use super::formats;
+use super::{fail, formats};
 use crate::on_backend;
 use clap::builder::PossibleValuesParser;
 use onering_io::Format;
+use std::fs;
 use std::path::PathBuf;
 
 /// The mesh to work on.
@@ -20,6 +21,20 @@ pub(crate) struct MeshFile {
     /// Make it a manifold that every backend accepts, first
     #[arg(long)]
     pub(crate) repair: bool,
+}
+
+impl MeshFile {
+    /// Refuses to write a picture, or what was found, over the mesh that is read.
+    pub(super) fn spare(&self, outputs: &[(&str, &Option<PathBuf>)]) {
+        // The same file by another name, or what a link leads to.
+        let real = |path: &Option<PathBuf>| path.as_ref().and_then(|path| fs::canonicalize(path).ok());
+        let Some(mesh) = real(&self.file) else { return };
+        for (option, output) in outputs {
+            if real(output).is_some_and(|output| output == mesh) {
+                fail(&format!("{option} does not write to '{}': it is the mesh to read", mesh.display()));
+            }
+        }
+    }
 }
 
 /// The structure to hold the mesh in.
