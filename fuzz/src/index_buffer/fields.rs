@@ -110,7 +110,7 @@ fn minima<M: Incidence>(mesh: &M, field: &Map<M::Vertex, f32>) -> Vec<M::Vertex>
 
 fn stalactite_hangs_together<M: Incidence>(mesh: &M, positions: &Map<M::Vertex, [f32; 3]>, v: M::Vertex) {
     let found =
-        region::stalactite(mesh, positions, v, StalactiteOptions::default()).expect("finite positions");
+        region::stalactite(mesh, positions, v, &StalactiteOptions::default()).expect("finite positions");
     let faces: HashSet<_> = found.faces().iter().copied().collect();
     assert_eq!(faces.len(), found.faces().len());
     assert_eq!(faces.is_empty(), mesh.star(v).next().is_none());
@@ -139,7 +139,7 @@ pub(super) fn of_any_faces<M: Incidence>(mesh: &M, list: &List) {
     let lines = contours::contours(mesh, &field, &levels).expect("finite values");
     assert!(lines.lines().all(|line| line.length(mesh, &positions).is_finite()));
     for v in mesh.vertices() {
-        let found = region::stalactite(mesh, &positions, v, StalactiteOptions { steep: 30.0 });
+        let found = region::stalactite(mesh, &positions, v, &StalactiteOptions { steep: 30.0 });
         let found = found.expect("finite positions");
         assert_eq!(found.faces().iter().collect::<HashSet<_>>().len(), found.faces().len());
     }

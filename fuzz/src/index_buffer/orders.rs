@@ -13,14 +13,13 @@ fn is_permutation<H: Handle>(order: &[H], count: usize) {
 
 pub(super) fn topology<M: Topology>(mesh: &M, list: &List) {
     let positions: Map<M::Vertex, _> = list.positions.iter().copied().collect();
-    let curves: [fn(&Map<M::Vertex, [f32; 3]>) -> Result<Vec<M::Vertex>, NotFinite>; 2] = [hilbert, morton];
-    for curve in curves {
-        match curve(&positions) {
+    for order in [hilbert(&positions), morton(&positions)] {
+        match order {
             Ok(order) => reorders(mesh, &order),
             Err(NotFinite { vertex }) => assert!(list.positions[vertex].iter().any(|x| !x.is_finite())),
         }
     }
-    let chosen: Vec<_> = mesh.faces().filter(|f| f.index() % 3 != 1).rev_if(list.vertices % 2 == 0);
+    let chosen: Vec<_> = mesh.faces().filter(|f| f.index() % 3 != 1).rev_if(list.vertices.is_multiple_of(2));
     let part = submesh::submesh(mesh, chosen.iter().copied());
     assert_eq!(part.vertex_count, part.vertex_source.len());
     assert!(part.vertex_source.is_sorted_by(|a, b| a < b));

@@ -132,7 +132,7 @@ pub(super) fn incidence<M: Incidence>(mesh: &M, list: &List) {
         }
         Err(error) => return assert!(matches!(error, SpringError::Stiffness { .. }), "{error}"),
     };
-    let Some(v) = mesh.vertices().last() else { return };
+    let Some(v) = mesh.vertices().next_back() else { return };
     simulation.push(v, [1.0, -2.0, 0.5], usize::MAX).expect("a finite force");
     let total = simulation.loads().as_slice().iter().fold([0.0; 3], |sum, &f| vector::plus(sum, f));
     assert!(vector::length(vector::minus(total, [1.0, -2.0, 0.5])) < 1e-9, "{total:?}");
