@@ -129,8 +129,9 @@ impl Options {
 /// # Time and memory
 /// Linear in the bytes of the file and its buffers, whatever is in them; they are in memory as a whole while
 /// they are read. Of an OBJ or binary STL file of 1 MiB or more only a piece is, unless something is wrong with
-/// it: mostly less than 1 MiB and at most 48, and with the feature `parallel` 4 for each thread besides. A gzip file counts as what is in it, which is at most 100 times as large, or 16 MiB; but where data can
-/// be named again and again, as the packed file. For each byte of the file, the result has at most so many:
+/// it: mostly less than 1 MiB and at most 48, with the feature `parallel` for each thread. A gzip file counts as what is
+/// in it, which is at most 100 times as large, or 16 MiB; but where data can be named again and again, as the packed
+/// file. For each byte of the file, the result has at most so many:
 ///
 /// | format | bytes | reached by |
 /// |---|---|---|
