@@ -25,9 +25,7 @@ impl Input {
         let Some(path) = &options.file else {
             return Ok(Self { name: made.name.into(), mesh: (made.mesh)(), format: None });
         };
-        let bytes = bytes_of(path).map_err(Failure::Input)?;
-        let (mut mesh, format) =
-            mesh_in(&bytes, path, options.from, Options::default()).map_err(Failure::Input)?;
+        let (mut mesh, format) = mesh_of(path, options.from, Options::default()).map_err(Failure::Input)?;
         let name = name_of(path);
         Change::apply(options.weld, options.repair, &name, &mut mesh)?;
         Ok(Self { name, mesh, format: Some(format) })
@@ -59,6 +57,33 @@ pub(crate) fn bytes_of(path: &Path) -> Result<Vec<u8>, String> {
         Ok(0) => Err("standard input: it is empty".into()),
         Ok(_) => Ok(bytes),
     }
+}
+
+/// The mesh of a file, or of standard input, which is of this format where one is given; and the format.
+///
+/// # Errors
+/// As [`bytes_of`] and [`mesh_in`].
+pub(crate) fn mesh_of(
+    path: &Path,
+    format: Option<Format>,
+    options: Options,
+) -> Result<(Triangles, Format), String> {
+    match in_pieces(path, format, options, |_| ()) {
+        Some(read) => Ok(read),
+        None => mesh_in(&bytes_of(path)?, path, format, options),
+    }
+}
+
+/// The same for the large files of which only a piece at a time need be in memory; `seen` is shown all their bytes.
+/// `None` for all others, and where something is wrong: their bytes are to be read as a whole.
+pub(crate) fn in_pieces(
+    path: &Path,
+    format: Option<Format>,
+    options: Options,
+    seen: impl FnMut(&[u8]) + Send,
+) -> Option<(Triangles, Format)> {
+    let tells_its_format = format.is_none() && !is_standard(path);
+    tells_its_format.then(|| options.load_in_pieces(path, seen))?
 }
 
 /// The mesh in the bytes of a file, or of standard input, which are of this format where one is given; and the format.

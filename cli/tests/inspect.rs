@@ -4,6 +4,7 @@ mod common;
 
 use common::{SQUARE, onering, scratch};
 use serde_json::{Value, json};
+use sha2::Digest;
 
 fn inspect(test: &str, name: &str, content: &str) -> Value {
     let path = scratch(test, name, content);
@@ -119,4 +120,18 @@ fn the_same_figures_in_words() {
     }
     let words = |line: &str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
     assert!(run.out.lines().any(|line| words(line) == ["boundary_edges", "4"]), "{}", run.out);
+}
+
+/// Of a large file only a piece at a time is in memory, unless something is wrong with it: then it is read again.
+#[test]
+fn a_large_file_has_the_digest_of_all_its_bytes() {
+    let large = SQUARE.to_owned() + &"# a comment\n".repeat(100_000);
+    let path = scratch("large", "large.obj", &large);
+    let run = onering(["inspect".as_ref(), "--json".as_ref(), path.as_os_str()]);
+    let digest: String = sha2::Sha256::digest(&large).iter().map(|byte| format!("{byte:02x}")).collect();
+    check(&run.json_lines()[0], &json!({ "bytes": large.len(), "sha256": digest, "triangles": 2 }));
+    let path = scratch("large", "bad.obj", &(large.clone() + "f 1 2 x\n"));
+    let run = onering(["inspect".as_ref(), path.as_os_str()]);
+    let line = large.lines().count() + 1;
+    assert!(run.err.contains(&format!("line {line}")), "{run:?}");
 }

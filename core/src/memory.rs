@@ -38,6 +38,14 @@ pub fn owned<T: Copy>(values: Cow<'_, [T]>) -> Result<Vec<T>, BuildError> {
     }
 }
 
+/// Room for `more` values behind those of a table that grows.
+#[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
+#[inline]
+pub fn reserve<T>(table: &mut Vec<T>, more: usize) -> Result<(), BuildError> {
+    let bytes = table.len().saturating_add(more).saturating_mul(size_of::<T>());
+    table.try_reserve(more).map_err(|_| BuildError::OutOfMemory { bytes })
+}
+
 /// Adds `value` to a table that grows.
 #[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
 #[inline]

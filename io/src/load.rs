@@ -33,6 +33,20 @@ const LARGE: u64 = 1 << 20;
 /// Bytes that show the format of such a file.
 const START: usize = 1 << 16;
 
+/// A file whose bytes are shown to `seen` when they are read.
+struct Shown<S> {
+    file: File,
+    seen: S,
+}
+
+impl<S: FnMut(&[u8])> Read for Shown<S> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let length = self.file.read(buffer)?;
+        (self.seen)(&buffer[..length]);
+        Ok(length)
+    }
+}
+
 /// What the reader of a format is asked for, besides the bytes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Request<'a> {
@@ -51,15 +65,21 @@ impl Options {
     /// As [`load`].
     pub fn load(&self, path: impl AsRef<Path>) -> Result<Triangles, Error> {
         let path = path.as_ref();
-        match self.load_in_pieces(path) {
-            Some(mesh) => Ok(mesh),
+        match self.load_in_pieces(path, |_| ()) {
+            Some((mesh, _)) => Ok(mesh),
             None => self.read_at(&bytes_of(path)?, path),
         }
     }
 
-    /// A large OBJ or binary STL file, of which only a piece at a time is in memory. `None` for any other file, and
-    /// for one with something wrong: that is to be read as a whole.
-    fn load_in_pieces(&self, path: &Path) -> Option<Triangles> {
+    /// The mesh and the format of a large OBJ or binary STL file, of which only a piece at a time is in memory; `seen`
+    /// is shown all its bytes on the way, in order, such as for a checksum. `None` for any other file, and for one with
+    /// something wrong: that is to be read as a whole, and what was seen of it to be forgotten. [`load`] does so.
+    pub fn load_in_pieces(
+        &self,
+        path: impl AsRef<Path>,
+        mut seen: impl FnMut(&[u8]) + Send,
+    ) -> Option<(Triangles, Format)> {
+        let path = path.as_ref();
         let about = fs::metadata(path).ok().filter(fs::Metadata::is_file)?;
         let length = about.len();
         if length < LARGE {
@@ -72,12 +92,18 @@ impl Options {
             return None;
         }
         if stl::has_binary_length(&start, length) {
-            return stl::pieces::read(start.as_slice().chain(file), length, self.weld_stl);
+            seen(&start);
+            let file = start.as_slice().chain(Shown { file, seen });
+            return Some((stl::pieces::read(file, length, self.weld_stl)?, Format::Stl));
         }
         // The last word of what is only the start of a file may be only the start of a word.
         let lines = &start[..memchr::memrchr(b'\n', &start).map_or(0, |end| end + 1)];
-        let is_obj = Format::of_content(lines) == Some(Format::Obj);
-        is_obj.then(|| obj::pieces::read(without_byte_order_mark(&start).chain(file)))?
+        if Format::of_content(lines) != Some(Format::Obj) {
+            return None;
+        }
+        seen(&start);
+        let file = without_byte_order_mark(&start).chain(Shown { file, seen });
+        Some((obj::pieces::read(file)?, Format::Obj))
     }
 
     /// [`read_at`] with these options.
@@ -129,8 +155,9 @@ impl Options {
 /// # Time and memory
 /// Linear in the bytes of the file and its buffers, whatever is in them; they are in memory as a whole while
 /// they are read. Of an OBJ or binary STL file of 1 MiB or more only a piece is, unless something is wrong with
-/// it: mostly less than 1 MiB and at most 48, and with the feature `parallel` 4 for each thread besides. A gzip file counts as what is in it, which is at most 100 times as large, or 16 MiB; but where data can
-/// be named again and again, as the packed file. For each byte of the file, the result has at most so many:
+/// it: mostly less than 1 MiB and at most 48, with the feature `parallel` for each thread. A gzip file counts as what is
+/// in it, which is at most 100 times as large, or 16 MiB; but where data can be named again and again, as the packed
+/// file. For each byte of the file, the result has at most so many:
 ///
 /// | format | bytes | reached by |
 /// |---|---|---|

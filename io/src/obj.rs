@@ -11,10 +11,10 @@
 //!   with an unknown keyword: [`Triangles::notes`] counts them.
 //! - A backslash continues a line; LF, CRLF and CR end one. Names and comments may be in any encoding.
 
-#[cfg(feature = "parallel")]
-mod append;
 mod keyword;
 mod lines;
+#[cfg(feature = "parallel")]
+mod lists;
 mod numbering;
 #[cfg(feature = "parallel")]
 mod parallel;
@@ -38,9 +38,10 @@ use crate::{Error, Format, Note, Place, Reason, Skipped, Triangles};
 /// Reads the vertices and faces of an OBJ file. Linear in its size; besides the result it takes no memory.
 ///
 /// With the feature `parallel`, all threads of the current rayon pool read a file of 1 MiB or more, to the same result:
-/// in parts of 512 KiB that end with a line feed, of which each thread has four in a round. Besides the result, what a
-/// round holds is in memory: mostly 1 MB a thread, never more than 30 MB but for a line longer than a part. A file
-/// with something wrong is then read from the beginning by one thread.
+/// in parts of 256 KiB that end with a line feed, of which each thread takes one after the other. Besides the result, a
+/// part and what it holds are in memory for each thread: mostly less than 1 MB, never more than 6 MB but for a line
+/// longer than a part. A file with something wrong, or with a line of more than 16 MiB, is then read from the beginning
+/// by one thread.
 ///
 /// # Errors
 /// [`Error::Malformed`] with the line at fault, the first one in the file: a vertex with fewer than three

@@ -41,10 +41,10 @@ impl Polygons {
         &self.faces
     }
 
-    /// The corners of all faces.
+    /// The first face of each polygon, if one of them is no triangle.
     #[cfg(feature = "parallel")]
-    pub(crate) fn corners_mut(&mut self) -> impl Iterator<Item = &mut u32> {
-        self.faces.as_flattened_mut().iter_mut()
+    pub(crate) fn starts(&self) -> Option<&[u32]> {
+        self.starts.as_deref()
     }
 
     /// Begins a polygon. One of fewer than three corners need not be closed: it has no face.
@@ -126,49 +126,17 @@ impl Polygons {
         *self = Self { faces, ..Self::default() };
     }
 
-    /// Puts polygons behind these; `append` does it with the faces of each.
+    /// Counts polygons that come behind these; their faces are kept elsewhere.
     #[cfg(feature = "parallel")]
-    pub(crate) fn append(
-        &mut self,
-        parts: &[&Self],
-        append: impl FnOnce(&mut Vec<[u32; 3]>, &[&[[u32; 3]]]) -> Result<(), Error>,
-    ) -> Result<(), Error> {
-        let mut start = self.faces.len();
-        for part in parts {
-            self.append_starts(start, part)?;
-            self.small.iter_mut().zip(part.small).for_each(|(count, more)| *count += more);
-            part.large.iter().for_each(|(size, more)| *self.large.entry(*size).or_default() += more);
-            start += part.faces.len();
-        }
-        let faces: Vec<_> = parts.iter().map(|part| part.faces()).collect();
-        append(&mut self.faces, &faces)
+    pub(crate) fn count(&mut self, part: &Self) {
+        self.small.iter_mut().zip(part.small).for_each(|(count, more)| *count += more);
+        part.large.iter().for_each(|(size, more)| *self.large.entry(*size).or_default() += more);
     }
 
-    /// The first faces of a part's polygons, which begin at face `start` here.
+    /// The faces of the polygons that were counted, and the first one of each, if not all are triangles.
     #[cfg(feature = "parallel")]
-    fn append_starts(&mut self, start: usize, part: &Self) -> Result<(), Error> {
-        if self.starts.is_none() && part.starts.is_none() {
-            return Ok(());
-        }
-        let mut starts = self.starts.take().unwrap_or_default();
-        if starts.is_empty() {
-            // Until now, each face was a polygon.
-            reserve(&mut starts, start)?;
-            starts.extend(0..start as u32);
-        }
-        let offset = start as u32;
-        match &part.starts {
-            Some(of_part) => {
-                reserve(&mut starts, of_part.len())?;
-                starts.extend(of_part.iter().map(|face| offset.wrapping_add(*face)));
-            }
-            None => {
-                reserve(&mut starts, part.faces.len())?;
-                starts.extend((0..part.faces.len()).map(|face| offset.wrapping_add(face as u32)));
-            }
-        }
-        self.starts = Some(starts);
-        Ok(())
+    pub(crate) fn put_lists(&mut self, faces: Vec<[u32; 3]>, starts: Option<Vec<u32>>) {
+        (self.faces, self.starts) = (faces, starts);
     }
 
     pub(crate) fn into_triangles(mut self, positions: Vec<[f32; 3]>, notes: Vec<Note>) -> Triangles {

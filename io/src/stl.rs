@@ -37,8 +37,8 @@ pub(crate) fn looks_like_stl(bytes: &[u8]) -> bool {
 /// Reads the triangles of an STL file. Linear in its size; see [`weld_into`] for files made to be slow.
 ///
 /// # Memory
-/// The result has 12 bytes for each triangle and 12 for each vertex. If corners are welded, about 25 bytes more are
-/// taken for each triangle of a closed surface while it is made, and up to 150 where no corners are equal; none if
+/// The result has 12 bytes for each triangle and 12 for each vertex. If corners are welded, about 20 bytes more are
+/// taken for each triangle of a closed surface while it is made, and up to 110 where no corners are equal; none if
 /// they are not. Where the file is ASCII, its corners take 36 to 72 more.
 ///
 /// # Errors

@@ -63,8 +63,7 @@ fn read(options: &args::Convert) -> Result<(Triangles, Format), Failure> {
     let path = &options.input;
     let mut how = Options::default();
     how.weld_stl = !options.keep_corners;
-    let bytes = input::bytes_of(path).map_err(Failure::Input)?;
-    input::mesh_in(&bytes, path, options.input_format(), how).map_err(Failure::Input)
+    input::mesh_of(path, options.input_format(), how).map_err(Failure::Input)
 }
 
 fn write(mesh: &Triangles, computed: &[Computed], target: &Target) -> Result<(), Failure> {

@@ -2,9 +2,23 @@
 
 use sha2::{Digest, Sha256};
 
-/// Of bytes, in hexadecimal.
-pub(crate) fn of_bytes(bytes: &[u8]) -> String {
-    hex(Sha256::new().chain_update(bytes))
+/// Of bytes, as they come.
+#[derive(Default)]
+pub(crate) struct Bytes {
+    length: usize,
+    hash: Sha256,
+}
+
+impl Bytes {
+    pub(crate) fn add(&mut self, bytes: &[u8]) {
+        self.length += bytes.len();
+        self.hash.update(bytes);
+    }
+
+    /// How many there were, and their digest in hexadecimal.
+    pub(crate) fn finish(self) -> (usize, String) {
+        (self.length, hex(self.hash))
+    }
 }
 
 /// Of triangles in order, each three little-endian `u32`.
@@ -39,6 +53,14 @@ mod tests {
         assert_eq!(one, of_faces(&[[1, 2, 3], [4, 5, 6]]));
         assert_eq!(one, of_canonical(&[[6, 4, 5], [1, 2, 3]]));
         assert_ne!(one, of_canonical(&[[6, 4, 5], [1, 3, 2]]));
-        assert_eq!(of_bytes(b""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    }
+
+    #[test]
+    fn bytes_come_in_pieces() {
+        let mut bytes = Bytes::default();
+        bytes.add(b"ab");
+        bytes.add(b"c");
+        let digest = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(bytes.finish(), (3, digest.into()));
     }
 }

@@ -67,11 +67,18 @@ impl Inspection {
     /// Of a file, or of standard input, which is of this format where one is given.
     pub(crate) fn of(path: &Path, format: Option<Format>) -> Result<Self, String> {
         let format = format.filter(|_| input::is_standard(path));
-        let bytes = input::bytes_of(path)?;
-        let (mesh, format) = input::mesh_in(&bytes, path, format, Options::default())?;
-        let (length, sha256) = (bytes.len(), digest::of_bytes(&bytes));
-        // What follows needs memory of its own.
-        drop(bytes);
+        let mut seen = digest::Bytes::default();
+        let in_pieces = input::in_pieces(path, format, Options::default(), |bytes| seen.add(bytes));
+        let (mesh, format) = match in_pieces {
+            Some(read) => read,
+            None => {
+                let bytes = input::bytes_of(path)?;
+                seen = digest::Bytes::default();
+                seen.add(&bytes);
+                input::mesh_in(&bytes, path, format, Options::default())?
+            }
+        };
+        let (length, sha256) = seen.finish();
         Ok(Self {
             file: input::name_of(path),
             format: format.to_string(),

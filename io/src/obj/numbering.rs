@@ -54,17 +54,13 @@ impl Numbering {
     }
 }
 
-/// Puts the corners of a part right, now that the number of vertices before it is known; `false` if one of those
-/// that are counted back names none of them.
+/// The right corner for one of a part, now that the number of vertices before it is known; with `false` if it is one
+/// that is counted back and names none of them.
 #[cfg(feature = "parallel")]
-pub(super) fn settle<'a>(corners: impl Iterator<Item = &'a mut u32>, before: u32) -> bool {
+#[inline(always)]
+pub(super) fn settled(corner: u32, before: u32) -> (u32, bool) {
     let least = SUPPOSED - before.min(SUPPOSED);
-    let mut exist = true;
-    for corner in corners {
-        let is_back = *corner >= SUPPOSED / 2;
-        exist &= !is_back || *corner >= least;
-        // Each is written, whether it changes or not: so the compiler does several at once.
-        *corner = if is_back { corner.wrapping_add(before).wrapping_sub(SUPPOSED) } else { *corner };
-    }
-    exist
+    let is_back = corner >= SUPPOSED / 2;
+    let corner_back = corner.wrapping_add(before).wrapping_sub(SUPPOSED);
+    (if is_back { corner_back } else { corner }, !is_back || corner >= least)
 }

@@ -1,103 +1,200 @@
 //! Large files in parts, which all threads read at once.
 
 use std::io::Read;
-
-use rayon::prelude::*;
+use std::sync::{Condvar, Mutex};
 
 use super::Reader;
-use super::append::append;
-use super::numbering::{Numbering, settle};
-use super::pieces::{Piece, Pieces, is_line_end};
+use super::lists::{Lists, Needed, Rooms, Share};
+use super::numbering::Numbering;
+use super::pieces::{Piece, Pieces};
+use crate::memory::reserve;
 use crate::text::without_byte_order_mark;
 use crate::triangles::skip;
 use crate::{Place, Triangles};
 
-/// Bytes of a part. What it holds stays in the cache until it is copied to its place.
-const PART: usize = 1 << 19;
-
-/// Parts for each thread in a round: the threads that are done first take what is left.
-const SHARE: usize = 4;
+/// Bytes of a part. They and what they hold stay in the cache of a processor until that is copied to its place.
+const PART: usize = 1 << 18;
 
 /// Reads a file as a reader of lines in order would; `None` if that one is to read it, since the file is small,
 /// something is wrong with it, or memory ran out.
-///
-/// Besides the result, what a round of parts holds is in memory. A part ends with a line feed: a file that has none, as
-/// on very old systems, is one part.
 pub(super) fn read(bytes: &[u8]) -> Option<Triangles> {
-    let threads = rayon::current_num_threads();
-    if threads < 2 || bytes.len() < 2 * PART {
+    if rayon::current_num_threads() < 2 || bytes.len() < 4 * PART {
         return None;
     }
-    let mut parts = Parts::new(PART, SHARE * threads);
-    // Within the pool a round begins without waking a thread for it first.
-    rayon::scope(|_| parts.read(without_byte_order_mark(bytes)))?;
-    parts.finish()
+    read_file(without_byte_order_mark(bytes))
 }
 
-/// The same from the file itself, behind its byte order mark: one thread reads what the next round parses.
+/// The same from the file itself, behind its byte order mark.
 pub(super) fn read_file(file: impl Read + Send) -> Option<Triangles> {
-    let round = SHARE * rayon::current_num_threads();
-    rayon::scope(|_| read_pieces(file, PART, round))
+    read_parts(file, PART, rayon::current_num_threads())
 }
 
-fn read_pieces(file: impl Read + Send, size: usize, round: usize) -> Option<Triangles> {
-    let mut parts = Parts::new(size, round);
-    let mut pieces = Pieces::new(file, size.max(1) * round);
-    let (mut piece, mut next) = (Piece::default(), Piece::default());
-    pieces.fill(&mut piece, b"").ok()?;
-    while !piece.is_empty() {
-        let (filled, read) =
-            rayon::join(|| pieces.fill(&mut next, piece.rest()), || parts.read(piece.lines()));
-        filled.ok().and(read)?;
-        std::mem::swap(&mut piece, &mut next);
-    }
-    parts.finish()
-}
-
-/// What was read in parts, and the readers of a round of them.
-struct Parts {
-    all: Reader,
-    readers: Vec<Reader>,
-    /// Bytes of a part.
-    size: usize,
-}
-
-impl Parts {
-    fn new(size: usize, round: usize) -> Self {
-        let readers = (0..round).map(|_| Reader::new(Numbering::of_part())).collect();
-        Self { all: Reader::new(Numbering::of_file(u32::MAX)), readers, size }
-    }
-
-    /// Reads the next lines of the file.
-    fn read(&mut self, mut rest: &[u8]) -> Option<()> {
-        while !rest.is_empty() {
-            let mut parts = Vec::with_capacity(self.readers.len());
-            while parts.len() < self.readers.len() && !rest.is_empty() {
-                let part;
-                (part, rest) = split(rest, self.size);
-                parts.push(part);
-            }
-            let readers = &mut self.readers[..parts.len()];
-            readers
-                .par_iter_mut()
-                .zip(parts)
-                .try_for_each(|(reader, part)| reader.restart().lines(part).ok())?;
-            self.all.append(readers)?;
+/// Each thread takes the next part of the file, parses it, waits for its turn to be given a share of the lists, and
+/// fills that while others have their turns. Once there is too little room, they all stop, and go on with more.
+fn read_parts(file: impl Read + Send, size: usize, threads: usize) -> Option<Triangles> {
+    let source = Mutex::new(Source { pieces: Pieces::new(file, size.max(1)), rest: Vec::new(), parts: 0 });
+    let mut workers = Vec::from_iter((0..threads.max(1)).map(|_| Worker::new()));
+    let (mut all, mut lists) = (Reader::new(Numbering::of_file(u32::MAX)), Lists::default());
+    let mut placed = 0;
+    loop {
+        // Those that wait come first, in the order of their parts.
+        workers.sort_by_key(|worker| worker.number.unwrap_or(usize::MAX));
+        let first = workers.first().filter(|worker| worker.number.is_some());
+        let needed = first.map_or(Needed::default(), |worker| Needed::by(&worker.part));
+        let fill = |rooms: &mut Rooms<'_>| work(&mut workers, &source, Turns::new(placed, rooms, &mut all));
+        let has_room;
+        (placed, has_room) = lists.with_room(&needed, fill).ok()??;
+        if has_room {
+            break;
         }
+    }
+    all.positions = lists.positions;
+    all.polygons.put_lists(lists.faces, lists.starts);
+    all.has_all_corners().then(|| all.finish().ok())?
+}
+
+/// How many parts have their places now, and whether there is room left: if so, that was all. `None` if anything is
+/// wrong.
+fn work(
+    workers: &mut [Worker],
+    source: &Mutex<Source<impl Read + Send>>,
+    turns: Turns<'_, '_>,
+) -> Option<(usize, bool)> {
+    // Not by the threads: nobody knows how many of them there are to wait for each other.
+    let _ = workers
+        .iter_mut()
+        .filter(|worker| worker.number.is_some())
+        .try_for_each(|worker| worker.place(&turns));
+    rayon::scope(|scope| {
+        for worker in workers {
+            scope.spawn(
+                |_| {
+                    while worker.place(&turns).is_some() && worker.parse(source, &turns).is_some() {}
+                },
+            );
+        }
+    });
+    let State { placed, outlook, .. } = turns.state.into_inner().ok()?;
+    (outlook != Outlook::Wrong).then_some((placed, outlook == Outlook::Room))
+}
+
+/// Where parts come from, one after the other.
+struct Source<R> {
+    pieces: Pieces<R>,
+    /// What the next part begins with.
+    rest: Vec<u8>,
+    /// How many were given away.
+    parts: usize,
+}
+
+impl<R: Read> Source<R> {
+    /// The number of the next part, now in `piece`, which is empty at the end of the file.
+    fn next(&mut self, piece: &mut Piece) -> Option<usize> {
+        self.pieces.fill(piece, &self.rest).ok()?;
+        self.rest.clear();
+        reserve(&mut self.rest, piece.rest().len()).ok()?;
+        self.rest.extend_from_slice(piece.rest());
+        self.parts += 1;
+        Some(self.parts - 1)
+    }
+}
+
+/// Reads parts.
+struct Worker {
+    piece: Piece,
+    part: Reader,
+    /// The number of the part that was parsed and has no place yet.
+    number: Option<usize>,
+}
+
+impl Worker {
+    fn new() -> Self {
+        Self { piece: Piece::default(), part: Reader::new(Numbering::of_part()), number: None }
+    }
+
+    /// Parses the next part; `None` if there is none, or if it is wrong.
+    fn parse(&mut self, source: &Mutex<Source<impl Read>>, turns: &Turns<'_, '_>) -> Option<()> {
+        let number = turns.right(source.lock().ok()?.next(&mut self.piece))?;
+        if self.piece.is_empty() {
+            return None;
+        }
+        turns.right(self.part.restart().lines(self.piece.lines()).ok())?;
+        self.number = Some(number);
         Some(())
     }
 
-    fn finish(self) -> Option<Triangles> {
-        self.all.has_all_corners().then(|| self.all.finish().ok())?
+    /// Puts the part that was parsed, if there is one, to its place; `None` if that is not possible.
+    fn place(&mut self, turns: &Turns<'_, '_>) -> Option<()> {
+        let Some(number) = self.number else { return turns.go_on() };
+        let share = turns.share(number, &self.part)?;
+        self.number = None;
+        turns.right(share.fill(&self.part).then_some(()))
     }
 }
 
-/// The first `size` bytes or so, to the end of a line that is not joined to the next one; and the rest.
-fn split(bytes: &[u8], size: usize) -> (&[u8], &[u8]) {
-    let from = size.min(bytes.len());
-    let mut ends = memchr::memchr_iter(b'\n', &bytes[from..]).map(|end| from + end);
-    let end = ends.find(|end| is_line_end(bytes, *end));
-    bytes.split_at(end.map_or(bytes.len(), |end| end + 1))
+/// Who comes next.
+struct Turns<'r, 'a> {
+    state: Mutex<State<'r, 'a>>,
+    change: Condvar,
+}
+
+struct State<'r, 'a> {
+    /// Parts that have their places.
+    placed: usize,
+    outlook: Outlook,
+    rooms: &'r mut Rooms<'a>,
+    /// What is known of them, but for the lists.
+    all: &'r mut Reader,
+}
+
+#[derive(PartialEq)]
+enum Outlook {
+    Room,
+    /// The next part needs more room than there is.
+    Full,
+    Wrong,
+}
+
+impl<'r, 'a> Turns<'r, 'a> {
+    fn new(placed: usize, rooms: &'r mut Rooms<'a>, all: &'r mut Reader) -> Self {
+        let state = State { placed, outlook: Outlook::Room, rooms, all };
+        Self { state: Mutex::new(state), change: Condvar::new() }
+    }
+
+    /// `None` once there is too little room, or something wrong.
+    fn go_on(&self) -> Option<()> {
+        (self.state.lock().ok()?.outlook == Outlook::Room).then_some(())
+    }
+
+    /// The share of this part, when all before it have theirs: some thread is about each of them.
+    fn share(&self, number: usize, part: &Reader) -> Option<Share<'a>> {
+        let is_early = |state: &mut State<'_, '_>| state.outlook == Outlook::Room && state.placed != number;
+        let mut state = self.change.wait_while(self.state.lock().ok()?, is_early).ok()?;
+        if state.outlook != Outlook::Room {
+            return None;
+        }
+        let share = state.rooms.take(part);
+        match &share {
+            Some(_) => {
+                state.all.count(part);
+                state.placed += 1;
+            }
+            None => state.outlook = Outlook::Full,
+        }
+        drop(state);
+        self.change.notify_all();
+        share
+    }
+
+    /// Tells all if something is wrong.
+    fn right<T>(&self, result: Option<T>) -> Option<T> {
+        if result.is_none() {
+            // A lock that was left by a panic is as bad.
+            self.state.lock().ok()?.outlook = Outlook::Wrong;
+            self.change.notify_all();
+        }
+        result
+    }
 }
 
 impl Reader {
@@ -113,36 +210,17 @@ impl Reader {
         self
     }
 
-    /// Takes what was read in the next parts.
-    fn append(&mut self, parts: &mut [Self]) -> Option<()> {
-        let mut vertices = self.positions.len();
-        let mut before = Vec::with_capacity(parts.len());
-        for part in &*parts {
-            before.push(u32::try_from(vertices).ok()?);
-            vertices += part.positions.len();
+    /// Takes what was read in the next part, but for its lists.
+    fn count(&mut self, part: &Self) {
+        for note in &part.notes {
+            // Lines of a part are counted from 1.
+            let Place::Line(first) = note.first else { continue };
+            skip(&mut self.notes, note.what.clone(), note.count, Place::Line(self.next_line + first - 1));
         }
-        let all_exist = |part: &mut Self, before| {
-            settle(part.polygons.corners_mut(), before)
-                && settle(std::iter::once(&mut part.lowest_skipped), before)
-        };
-        if !parts.par_iter_mut().zip(before).all(|(part, before)| all_exist(part, before)) {
-            return None;
-        }
-        let positions: Vec<_> = parts.iter().map(|part| part.positions.as_slice()).collect();
-        append(&mut self.positions, &positions).ok()?;
-        let polygons: Vec<_> = parts.iter().map(|part| &part.polygons).collect();
-        self.polygons.append(&polygons, append).ok()?;
-        for part in parts {
-            for note in &part.notes {
-                // Lines of a part are counted from 1.
-                let Place::Line(first) = note.first else { continue };
-                skip(&mut self.notes, note.what.clone(), note.count, Place::Line(self.next_line + first - 1));
-            }
-            self.corner_bound = self.corner_bound.max(part.corner_bound);
-            self.statements += part.statements;
-            self.next_line += part.next_line - 1;
-        }
-        Some(())
+        self.polygons.count(&part.polygons);
+        self.corner_bound = self.corner_bound.max(part.corner_bound);
+        self.statements += part.statements;
+        self.next_line += part.next_line - 1;
     }
 }
 
@@ -155,12 +233,9 @@ mod tests {
     /// In parts of all small sizes, the text gives what it gives in order, or is left to the reader in order.
     fn check(text: &str) {
         let expected = read_in_order(text.as_bytes()).ok();
-        for (size, round) in [(0, 1), (0, 3), (1, 2), (7, 2), (20, 5), (100, 2)] {
-            let mut parts = Parts::new(size, round);
-            let read = parts.read(without_byte_order_mark(text.as_bytes())).and_then(|()| parts.finish());
+        for (size, threads) in [(0, 1), (0, 3), (1, 2), (7, 2), (20, 5), (100, 2)] {
+            let read = read_parts(without_byte_order_mark(text.as_bytes()), size, threads);
             assert_eq!(read, expected, "parts of {size} in {text:?}");
-            let read = read_pieces(without_byte_order_mark(text.as_bytes()), size, round);
-            assert_eq!(read, expected, "pieces of {size} in {text:?}");
         }
     }
 
@@ -183,22 +258,26 @@ mod tests {
         check("what\nhow\ng\n");
     }
 
+    /// Room is made several times, for polygons that are no triangles after many that are as well.
     #[test]
-    fn a_part_ends_with_a_line_that_is_not_joined() {
-        for (text, end) in
-            [("a\nb", 2), ("a\\\nb\nc", 5), ("a\\ \r\nb\nc", 7), ("a\\ \r\r\nc", 6), ("a\rb", 3)]
-        {
-            assert_eq!(split(text.as_bytes(), 0).0.len(), end, "{text:?}");
+    fn a_large_file_is_read_in_parts() {
+        let text = "v 0.25 -1e3 2\nv 1 1 1\nv 0 0 0\nf -1 -2 -3\n".repeat(200_000);
+        let text = text.clone() + &"f 1 2 3 4\n".repeat(200_000) + &text;
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+        let expected = Some(read_in_order(text.as_bytes()).unwrap());
+        assert_eq!(pool.install(|| read(text.as_bytes())), expected);
+        for (size, threads) in [(1 << 14, 1), (1 << 14, 7), (1 << 22, 2)] {
+            assert_eq!(pool.install(|| read_parts(text.as_bytes(), size, threads)), expected);
         }
     }
 
+    /// The last part is wrong, or the corners that it counts back do not exist.
     #[test]
-    fn a_large_file_is_read_in_parts() {
-        let text = "v 0.25 -1e3 2\nv 1 1 1\nv 0 0 0\nf -1 -2 -3\n".repeat(40_000);
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
-        let expected = Some(read_in_order(text.as_bytes()).unwrap());
-        assert_eq!(pool.install(|| read(text.as_bytes())), expected);
-        assert_eq!(pool.install(|| read_file(text.as_bytes())), expected);
+    fn what_is_wrong_stops_all() {
+        let text = "v 1 2 3\nf -1 -1 -1\n".repeat(100_000);
+        for end in ["f 1 2 x\n", "f -1 -1 -100001\n", "f 100001 1 1\n"] {
+            assert_eq!(read_parts((text.clone() + end).as_bytes(), 5000, 4), None);
+        }
     }
 
     proptest! {

@@ -107,7 +107,7 @@ fn end_of_lines(bytes: &[u8]) -> usize {
 }
 
 /// Whether the line feed there ends a line that is not joined to the next one.
-pub(super) fn is_line_end(bytes: &[u8], at: usize) -> bool {
+fn is_line_end(bytes: &[u8], at: usize) -> bool {
     let line = &bytes[..at];
     !is_joined(line.strip_suffix(b"\r").unwrap_or(line))
 }

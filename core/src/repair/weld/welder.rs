@@ -2,12 +2,17 @@
 
 use super::table::{Table, hash_of};
 use super::{MAX_VERTICES, key};
-use crate::BuildError;
+use crate::{BuildError, memory};
 use alloc::vec::Vec;
+use core::hint::black_box;
 
-/// Vertices that are looked up together: the table is asked for all of them first, so that their cache misses
+/// Vertices that are welded together: what is looked for in the table is looked for at once, so that the cache misses
 /// overlap.
-const BLOCK: usize = 256;
+const BLOCK: usize = 512;
+
+/// Vertices that were met last. Neighbours in space are often neighbours in a list: five of six corners are found here
+/// then, near the processor.
+const RECENT: usize = 8192;
 
 /// Welds vertices as they come, such as those of a file that is read piece by piece: what [`weld_into`] does, for
 /// positions that are not kept. The table takes as much memory.
@@ -26,7 +31,11 @@ const BLOCK: usize = 256;
 #[derive(Debug)]
 pub struct Welder {
     table: Table,
-    block: Block,
+    /// Of the new vertices so far.
+    positions: Vec<[f32; 3]>,
+    /// Hash and vertex, by the beginning of the hash. Whoever finds a vertex here looks whether it is at the right place.
+    recent: Vec<[u32; 2]>,
+    supposed: Supposed,
 }
 
 impl Welder {
@@ -35,7 +44,12 @@ impl Welder {
     /// # Errors
     /// [`BuildError::OutOfMemory`].
     pub fn new(vertices: usize) -> Result<Self, BuildError> {
-        Ok(Self { table: Table::new(vertices)?, block: Block::new() })
+        Ok(Self {
+            table: Table::new(vertices)?,
+            positions: Vec::new(),
+            recent: memory::filled(RECENT, [0; 2])?,
+            supposed: Supposed::default(),
+        })
     }
 
     /// Welds the next vertices: `v` of `target.len()` is at `position(v)`, and `target[v]` becomes its new number.
@@ -51,25 +65,15 @@ impl Welder {
         target: &mut [u32],
         position: impl Fn(usize) -> [f32; 3],
     ) -> Result<bool, BuildError> {
-        let Self { table, block } = self;
-        let vertices = table.positions.len().saturating_add(target.len());
+        let vertices = self.positions.len().saturating_add(target.len());
         if vertices > MAX_VERTICES {
             return Err(BuildError::TooManyVertices { vertices, limit: MAX_VERTICES });
         }
         for (number, targets) in target.chunks_mut(BLOCK).enumerate() {
-            let (start, count) = (number * BLOCK, targets.len());
-            block.fill(count, |i| position(start + i));
-            block.look_up(count, table);
-            for (i, target) in targets.iter_mut().enumerate() {
-                let (hash, position) = (block.hashes[i], block.positions[i]);
-                *target = match block.known[i] {
-                    UNKNOWN => match table.resolve(hash, position)? {
-                        Some(vertex) => vertex,
-                        None => return Ok(false),
-                    },
-                    vertex => vertex,
-                };
-                table.remember(hash, *target);
+            let (start, known) = (number * BLOCK, self.positions.len());
+            self.suppose(targets, |i| position(start + i))?;
+            if !self.settle(known, targets)? {
+                return Ok(false);
             }
         }
         Ok(true)
@@ -77,61 +81,120 @@ impl Welder {
 
     /// The positions of the new vertices, each to the last bit that of the first old one there.
     pub fn into_positions(self) -> Vec<[f32; 3]> {
-        self.table.positions
+        self.positions
     }
+
+    /// Numbers the vertices of a block as if all that were not met lately were new.
+    #[inline(always)]
+    fn suppose(
+        &mut self,
+        targets: &mut [u32],
+        position: impl Fn(usize) -> [f32; 3],
+    ) -> Result<(), BuildError> {
+        let known = self.positions.len();
+        memory::reserve(&mut self.positions, targets.len())?;
+        self.positions.resize(known + targets.len(), [0.0; 3]);
+        let mut next = known;
+        for (i, target) in targets.iter_mut().enumerate() {
+            let position = position(i);
+            let hash = hash_of(key(position));
+            let recent = &mut self.recent[recent_of(hash)];
+            let is_there = |vertex| (vertex as usize) < next && is_at(&self.positions, vertex, position);
+            if recent[0] != hash || !is_there(recent[1]) {
+                *recent = [hash, next as u32];
+                self.positions[next] = position;
+                self.supposed.hashes[(next - known) % BLOCK] = hash;
+                next += 1;
+            }
+            *target = recent[1];
+        }
+        self.positions.truncate(next);
+        Ok(())
+    }
+
+    /// Puts the supposed vertices into the table, and those that are there already right.
+    #[inline(always)]
+    fn settle(&mut self, known: usize, targets: &mut [u32]) -> Result<bool, BuildError> {
+        let Self { table, positions, supposed, .. } = self;
+        let count = positions.len() - known;
+        supposed.look_up(table, &positions[..known], &positions[known..]);
+        let mut next = known;
+        for i in 0..count {
+            let position = positions[known + i];
+            let vertex = &mut supposed.vertices[i];
+            if *vertex == UNKNOWN {
+                match table.find_or_insert(supposed.hashes[i], position, &positions[..next])? {
+                    Some(found) => *vertex = found,
+                    None => return Ok(false),
+                }
+            }
+            if *vertex as usize == next {
+                positions[next] = position;
+                next += 1;
+            }
+        }
+        if next < positions.len() {
+            positions.truncate(next);
+            self.correct(known, count, targets);
+        }
+        Ok(true)
+    }
+
+    /// Replaces the supposed numbers, from `known` on, by the right ones.
+    #[inline(always)]
+    fn correct(&mut self, known: usize, count: usize, targets: &mut [u32]) {
+        let Supposed { hashes, vertices } = &self.supposed;
+        for (hash, vertex) in hashes.iter().zip(vertices).take(count) {
+            self.recent[recent_of(*hash)] = [*hash, *vertex];
+        }
+        for target in targets {
+            let supposed = (*target as usize).checked_sub(known);
+            *target = supposed.map_or(*target, |supposed| vertices[supposed % BLOCK]);
+        }
+    }
+}
+
+/// The place of a hash among the recent vertices.
+#[inline(always)]
+fn recent_of(hash: u32) -> usize {
+    hash as usize / (u32::MAX as usize / RECENT + 1)
+}
+
+#[inline(always)]
+fn is_at(positions: &[[f32; 3]], vertex: u32, [x, y, z]: [f32; 3]) -> bool {
+    // All in one: branches between would be in the way.
+    positions.get(vertex as usize).is_some_and(|[a, b, c]| (*a == x) & (*b == y) & (*c == z))
 }
 
 /// No vertex has this number: there are at most so many.
 const UNKNOWN: u32 = u32::MAX;
 
-/// Vertices on their way through the table. Each step is a short loop of its own: the processor runs ahead in it, from
-/// one cache miss to the next ones.
+/// The vertices of a block that may be new.
 #[derive(Debug)]
-struct Block {
-    positions: [[f32; 3]; BLOCK],
+struct Supposed {
     hashes: [u32; BLOCK],
-    slots: [u64; BLOCK],
-    /// Which of them are not among the recent ones.
-    distant: [u16; BLOCK],
-    known: [u32; BLOCK],
+    /// Which they are.
+    vertices: [u32; BLOCK],
 }
 
-impl Block {
-    fn new() -> Self {
-        Self {
-            positions: [[0.0; 3]; BLOCK],
-            hashes: [0; BLOCK],
-            slots: [0; BLOCK],
-            distant: [0; BLOCK],
-            known: [UNKNOWN; BLOCK],
-        }
+impl Default for Supposed {
+    fn default() -> Self {
+        Self { hashes: [0; BLOCK], vertices: [UNKNOWN; BLOCK] }
     }
+}
 
+impl Supposed {
+    /// Those that are known from before the block. Each step is a short loop of its own: the processor runs ahead in
+    /// it, from one cache miss to the next ones.
     #[inline(always)]
-    fn fill(&mut self, count: usize, position: impl Fn(usize) -> [f32; 3]) {
-        for (i, (place, hash)) in self.positions.iter_mut().zip(&mut self.hashes).take(count).enumerate() {
-            *place = position(i);
-            *hash = hash_of(key(*place));
+    fn look_up(&mut self, table: &Table, known: &[[f32; 3]], positions: &[[f32; 3]]) {
+        let hashes = &self.hashes[..positions.len()];
+        black_box(hashes.iter().fold(0, |all, hash| all ^ table.at_home(*hash)));
+        for (vertex, hash) in self.vertices.iter_mut().zip(hashes) {
+            *vertex = table.near_home(*hash).unwrap_or(UNKNOWN);
         }
-    }
-
-    /// The vertices that are known already.
-    #[inline(always)]
-    fn look_up(&mut self, count: usize, table: &Table) {
-        let mut distant = 0;
-        for (i, (slot, hash)) in self.slots.iter_mut().zip(&self.hashes).take(count).enumerate() {
-            *slot = table.recent(*hash);
-            self.distant[distant % BLOCK] = i as u16;
-            // A branch would be mispredicted too often.
-            distant += usize::from((*slot >> 32) as u32 != *hash);
-        }
-        for i in &self.distant[..distant] {
-            let i = usize::from(*i) % BLOCK;
-            self.slots[i] = table.near_home(self.hashes[i]);
-        }
-        for i in 0..count {
-            self.known[i] =
-                table.vertex_at(self.slots[i], self.hashes[i], self.positions[i]).unwrap_or(UNKNOWN);
+        for (vertex, position) in self.vertices.iter_mut().zip(positions) {
+            *vertex = if is_at(known, *vertex, *position) { *vertex } else { UNKNOWN };
         }
     }
 }
