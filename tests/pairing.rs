@@ -110,6 +110,29 @@ fn an_edge_that_was_closed_twice_is_found() {
     }
 }
 
+/// Long enough for several threads to have a piece each, with irregular edges within pieces and across them.
+#[test]
+fn pieces_agree() {
+    let mut faces = torus(200, 300);
+    let last = faces.len() - 1;
+    faces[last / 3].reverse();
+    faces.push(faces[0]);
+    faces.insert(last / 2, faces[last]);
+    agree(&(60_000, faces.clone())).unwrap();
+    let mut state = 88172645463325252_u64;
+    for i in (1..faces.len()).rev() {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        faces.swap(i, (state % (i as u64 + 1)) as usize);
+    }
+    assert_eq!(pair(60_000, &faces, Pairing::Auto).unwrap().taken, Pairing::Partition);
+    agree(&(60_000, faces)).unwrap();
+    agree(&fan(100_000, true)).unwrap();
+    // No vertex has a second edge, and most have none.
+    agree(&(1 << 22, (0..100_000).map(|i| [i, 2 * i + 1_000_000, 2 * i + 1_000_001]).collect())).unwrap();
+}
+
 /// The chain gives up where its lists are long, and says so.
 #[test]
 fn who_paired_is_told() {

@@ -58,7 +58,8 @@ impl Plan {
                 let part = self.part(low);
                 let run = &mut runs[part];
                 let place = run.count % RUN;
-                run.words[place] = (u64::from(high) << 1 | u64::from(a < b)) << 32 | (3 * (first + f) + k) as u64;
+                run.words[place] =
+                    (u64::from(high) << 1 | u64::from(a < b)) << 32 | (3 * (first + f) + k) as u64;
                 run.lows[place] = (u64::from(low) & mask) as u16;
                 run.count += 1;
                 if place == RUN - 1 {

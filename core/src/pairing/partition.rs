@@ -6,7 +6,10 @@
 //! With the feature `parallel`, each thread deals a piece of the list and pairs some of the parts. An entry comes to the
 //! same place whoever deals it, so that nothing depends on the threads.
 use super::deal::{Dealt, Part, Plan};
-use super::{Paired, Pairing, joiner::{Extra, Joiner}};
+use super::{
+    Paired, Pairing,
+    joiner::{Extra, Joiner},
+};
 use crate::{BuildError, HalfEdgeId, Handle, Slot, memory, workers};
 use alloc::vec::Vec;
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
