@@ -3,7 +3,8 @@ use crate::link::{Coded, Coding, Link};
 use alloc::{borrow::Cow, vec::Vec};
 use onering_core::{
     Adjacency, BuildError, FaceId, HalfEdgeId, Handle, Pairing, Slot, Topology, VertexId, boundary, corner,
-    fans, memory, pairing,
+    fans::{self, Fans},
+    memory, pairing,
 };
 
 /// Records of irregular elements, one after the other: each its length, then its half-edges. Places are counted
@@ -87,7 +88,7 @@ pub(crate) fn links<K: Link>(
     };
     let (mut outgoing, mut vertex_records) = (Vec::new(), Records::default());
     if with_outgoing {
-        let fans = fans::fans(&View { vertex_count, faces, opposite: &opposite })?;
+        let fans = fans_of(vertex_count, faces, &opposite)?;
         if holds {
             vertex_records = Records::new(fans.several.iter().map(|(_, starts)| &starts[..]))?;
             outgoing = into_links(fans.outgoing.into_vec());
@@ -105,6 +106,15 @@ pub(crate) fn links<K: Link>(
         }
     }
     Ok(Links { opposite, edge_records, outgoing, vertex_records })
+}
+
+/// The fans of faces with opposites, before there is a mesh.
+pub(crate) fn fans_of<'a>(
+    vertex_count: usize,
+    faces: &'a [[u32; 3]],
+    opposite: &'a [Slot<HalfEdgeId>],
+) -> Result<Fans<impl Topology<Vertex = VertexId, HalfEdge = HalfEdgeId> + use<'a>>, BuildError> {
+    fans::fans(&View { vertex_count, faces, opposite })
 }
 
 /// The same table in another coding, in place.

@@ -4,13 +4,15 @@
     reason = "a global allocator is an unsafe trait; this one hands every call on to the system's"
 )]
 use onering::conformance::{self as laws, Flaw};
-use onering::{Footprint, FromFaces, SharedVertex, Sot, WithOpposites, WithOutgoing};
+use onering::*;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 thread_local! {
     /// Bytes that this thread has allocated and not freed. Tests run each on a thread of its own.
     static LIVE: Cell<isize> = const { Cell::new(0) };
+    /// The most that there were since this was last set.
+    static PEAK: Cell<isize> = const { Cell::new(0) };
 }
 
 struct Counting;
@@ -20,7 +22,10 @@ static COUNTING: Counting = Counting;
 
 fn count(bytes: isize) {
     // A thread that ends frees memory after its counter is gone.
-    let _ = LIVE.try_with(|live| live.set(live.get() + bytes));
+    let _ = LIVE.try_with(|live| {
+        live.set(live.get() + bytes);
+        PEAK.with(|peak| peak.set(peak.get().max(live.get())));
+    });
 }
 
 // SAFETY: every call goes to `System` as it came, and the counter does not allocate.
@@ -49,6 +54,14 @@ fn counted<T>(make: impl FnOnce() -> T) -> (T, usize) {
     let before = LIVE.get();
     let made = make();
     (made, (LIVE.get() - before).try_into().expect("nothing is freed but what was made"))
+}
+
+/// The same for the most bytes at a time while it was made.
+fn peak<T>(make: impl FnOnce() -> T) -> (T, usize) {
+    let before = LIVE.get();
+    PEAK.set(before);
+    let made = make();
+    (made, (PEAK.get() - before).try_into().expect("a peak is no less than what was there"))
 }
 
 /// Builds each case that a backend holds, and a larger mesh.
@@ -92,6 +105,21 @@ macro_rules! backends {
     };
 }
 onering::with_backends!(backends);
+
+/// On a mesh in order, at most a quarter more than what stays is taken while building.
+macro_rules! peaks {
+    ($($mesh:ty)+) => {
+        #[test]
+        fn building_takes_little_more_than_what_stays() {
+            let faces = laws::torus(120, 100);
+            $(
+                let (mesh, most) = peak(|| <$mesh>::from_faces(12_000, &faces).unwrap());
+                assert!(most * 4 <= mesh.heap_bytes() * 5, "{mesh:?}: {most} of {}", mesh.heap_bytes());
+            )+
+        }
+    };
+}
+peaks!(CheL1 CheL2 CheL3 DirectedEdgesSmall DirectedEdgesMedium DirectedEdgesFull MateFace);
 
 /// It is made by a function of its own, which gives maps as well.
 #[test]

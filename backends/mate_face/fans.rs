@@ -1,6 +1,6 @@
 //! The fans of every vertex, found over cells.
 use super::cell::{Cell, Walk};
-use crate::build::numbered;
+use crate::build::{fans_of, numbered};
 use crate::link::CodedLink;
 use alloc::vec::Vec;
 use onering_core::{BuildError, FaceId, HalfEdgeId, Handle, Slot, VertexId, memory};
@@ -49,6 +49,26 @@ pub(super) fn find(vertex_count: usize, cells: &[Cell]) -> Result<(Vec<CodedLink
     for fans in further.chunk_by(|a, b| a.0 == b.0) {
         links[fans[0].0.index()] = numbered(place)?;
         place += 2 + fans.len();
+    }
+    Ok((links, records))
+}
+
+/// The same for faces that agree in orientation, found by their opposites: a fan is then what it is for all structures, and
+/// its start is in the lowest face.
+pub(super) fn of_opposites(
+    vertex_count: usize,
+    faces: &[[u32; 3]],
+    opposite: &[Slot<HalfEdgeId>],
+) -> Result<(Vec<CodedLink>, Vec<u32>), BuildError> {
+    let fans = fans_of(vertex_count, faces, opposite)?;
+    let face = |h: HalfEdgeId| FaceId::new(h.index() / 3);
+    let link = |start: Slot<HalfEdgeId>| CodedLink::from(Slot::from(start.get().map(face).map(as_number)));
+    let mut links = memory::collected(fans.outgoing.into_vec().into_iter().map(link))?;
+    let mut records = memory::with_room(fans.several.iter().map(|(_, starts)| 1 + starts.len()).sum())?;
+    for (v, starts) in &fans.several {
+        links[v.index()] = numbered(records.len())?;
+        records.push(starts.len() as u32);
+        records.extend(starts.iter().map(|&h| face(h).index() as u32));
     }
     Ok((links, records))
 }

@@ -6,7 +6,7 @@ mod fans;
 use crate::build;
 use crate::link::{Coded, CodedLink, Coding, Link};
 use crate::storage::{Owned, Storage};
-use alloc::borrow::Cow;
+use alloc::{borrow::Cow, boxed::Box, vec::Vec};
 use cell::{Cell, NEXT, PREV, Walk};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
@@ -112,23 +112,39 @@ impl<S: Storage> fmt::Debug for MateFace<S> {
     }
 }
 
+/// The cells of `faces`, in the memory of what lies across each half-edge.
+fn cells(faces: &[[u32; 3]], across: Vec<Slot<HalfEdgeId>>) -> Result<Box<[Cell]>, BuildError> {
+    const NONE: u32 = u32::MAX;
+    let mut words: Vec<u32> = bytemuck::cast_vec(across);
+    memory::resize(&mut words, 6 * faces.len(), NONE)?;
+    // From the last on: a cell comes to lie behind all that is still to be read.
+    for (f, face) in faces.iter().enumerate().rev() {
+        let mates = NEXT.map(|side| words[3 * f + side]).map(|h| if h == NONE { NONE } else { h / 3 });
+        words[6 * f..][..3].copy_from_slice(face);
+        words[6 * f + 3..][..3].copy_from_slice(&mates);
+    }
+    Ok(bytemuck::allocation::cast_slice_box(words.into_boxed_slice()))
+}
+
 impl FromFaces for MateFace {
     fn build(vertex_count: usize, faces: Cow<'_, [[u32; 3]]>, pairing: Pairing) -> Result<Self, BuildError> {
         pairing::check_counts(vertex_count, faces.len(), Coded::MAX_HALF_EDGES)?;
-        let paired = pairing::pair(vertex_count, &faces, pairing)?.refuse_non_manifold(&faces)?;
+        // Opposites become mates where they are: so there is room for cells from the start.
+        let mut table = memory::zeroed(6 * faces.len())?;
+        table.truncate(3 * faces.len());
+        let paired = pairing::pair_into(vertex_count, &faces, pairing, table)?.refuse_non_manifold(&faces)?;
         let mut across = paired.opposite;
+        if paired.irregular.is_empty() {
+            let (vertices, records) = fans::of_opposites(vertex_count, &faces, &across)?;
+            let cells = cells(&faces, across)?;
+            return Ok(Self { cells, vertices: vertices.into(), records: records.into() });
+        }
         // What is left in records is two half-edges each, which run in the same direction.
         for record in paired.irregular.iter() {
             let [g, h] = [record[0], record[1]];
             (across[g.index()], across[h.index()]) = (Slot::some(h), Slot::some(g));
         }
-        let mate = |h: usize| Slot::from(across[h].get().map(|g| FaceId::new(g.index() / 3)));
-        let cell = |(f, face): (usize, &[u32; 3])| Cell {
-            vertices: face.map(|v| VertexId::new(v as usize)),
-            mates: NEXT.map(|side| mate(3 * f + side)),
-        };
-        let cells = memory::collected(faces.iter().enumerate().map(cell))?.into_boxed_slice();
-        drop(across);
+        let cells = cells(&faces, across)?;
         let (vertices, records) = fans::find(vertex_count, &cells)?;
         Ok(Self { cells, vertices: vertices.into(), records: records.into() })
     }

@@ -86,6 +86,7 @@ mod slot;
 mod topology;
 mod with_opposites;
 mod with_outgoing;
+mod workers;
 
 pub use adjacency::Adjacency;
 pub use boundaries::Boundaries;

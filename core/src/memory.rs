@@ -21,6 +21,22 @@ pub fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, BuildError> {
     Ok(table)
 }
 
+/// A table of zeros, which the system may not have to touch before it is used.
+#[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
+pub fn zeroed<T: bytemuck::Zeroable>(count: usize) -> Result<Vec<T>, BuildError> {
+    let failed = |()| BuildError::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) };
+    bytemuck::allocation::try_zeroed_vec(count).map_err(failed)
+}
+
+/// Makes a table longer, by `value`, or shorter.
+#[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
+pub fn resize<T: Clone>(table: &mut Vec<T>, count: usize, value: T) -> Result<(), BuildError> {
+    let failed = |_| BuildError::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) };
+    table.try_reserve_exact(count.saturating_sub(table.len())).map_err(failed)?;
+    table.resize(count, value);
+    Ok(())
+}
+
 /// A table of the values of an iterator that knows its length.
 #[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
 pub fn collected<T>(values: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>, BuildError> {

@@ -20,7 +20,7 @@ pub(crate) struct Sheets {
 impl Sheets {
     /// Pairs the half-edges, as every backend does.
     pub(crate) fn join(triangles: Triangles) -> Result<Self, BuildError> {
-        let Paired { opposite, irregular } =
+        let Paired { opposite, irregular, .. } =
             pairing::pair(triangles.vertex_bound, &triangles.faces, Pairing::Auto)?;
         let mut opposite: Map<HalfEdgeId, _> = opposite.into();
         irregular.iter().flatten().for_each(|&h| opposite[h] = Slot::some(h));

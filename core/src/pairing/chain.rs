@@ -2,107 +2,175 @@
 //!
 //! An edge is open while one half-edge of it has come. The next one looks for it among the open edges of its lower vertex, one
 //! or two on a mesh in order, takes it out, and both have their opposite. A third half-edge on that edge then looks
-//! like the first of a new one. So a vertex has a filter as well, three bits for each edge by its other end: where those of
-//! a new edge are set, all edges of that lower vertex are paired once more, by lists that keep what is paired. That is so for
-//! every irregular edge, and for a few vertices in a thousand that have none.
-use super::{Paired, joiner::Joiner, partition};
+//! like the first of a new one. So a vertex has a filter as well, one bit of 56 for each edge by its other end, and counts
+//! its edges. Where they are more than bits are set, two may be one: [`doubts`] settles that in the end.
+use super::{Paired, Pairing, doubts, joiner::Joiner, partition};
 use crate::{BuildError, HalfEdgeId, Handle, Slot, corner, memory};
 use alloc::vec::Vec;
 
-const END: u32 = u32::MAX;
+/// Ends the table of opposites as none, and is the list of a vertex that had no edge.
+const NONE: u32 = u32::MAX;
+
+/// Ends a list. Below it is the half-edge that came first to the vertex, for a turn around it to begin with.
+const END: u32 = 1 << 31;
 
 /// Steps along lists, for each half-edge, before the input is taken for one that is shuffled or has a few vertices of
 /// huge degree. On a mesh in order it is about one.
 const PATIENCE: usize = 4;
 
-/// Lower vertices in doubt, for each face, before partition serves all of them better: 1 in so many.
-const RARE: usize = 4;
+pub(super) fn pair(
+    vertex_count: usize,
+    faces: &[[u32; 3]],
+    table: Vec<Slot<HalfEdgeId>>,
+) -> Result<Paired, BuildError> {
+    if table.len() > END as usize {
+        return partition::pair(vertex_count, faces, table);
+    }
+    let mut cells: Vec<u32> = bytemuck::cast_vec(table);
+    let mut vertices = Vertices::new(vertex_count)?;
+    let is_done = vertices.pair(faces, &mut cells);
+    let opposite = bytemuck::cast_vec(cells); // `NONE` is none
+    if !is_done {
+        drop(vertices);
+        return partition::pair(vertex_count, faces, opposite);
+    }
+    let mut joiner = Joiner::with(faces, opposite);
+    let lows = doubts::unsettled(&vertices, faces, &joiner)?;
+    drop(vertices);
+    if !lows.is_empty() {
+        partition::pair_again(vertex_count, faces, Some(&lows), &mut joiner)?;
+    }
+    joiner.finish(Pairing::Chain)
+}
 
-pub(super) fn pair(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
-    let mut lists = Lists {
-        origin: faces.as_flattened(),
-        open: memory::filled(vertex_count, END)?,
-        filters: memory::filled(vertex_count, [0; 3])?,
-        cell: memory::filled(3 * faces.len(), END)?,
-        patience: PATIENCE * 3 * faces.len(),
-    };
-    let mut in_doubt = Vec::new();
-    for (f, &[a, b, c]) in faces.iter().enumerate() {
-        for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
-            if lists.add((3 * f + k) as u32, a, b) {
-                memory::push(&mut in_doubt, a.min(b))?;
+/// What is known of each lower vertex.
+pub(super) struct Vertices {
+    /// Its first open edge; in the end, the half-edge that came first, over `END`.
+    open: Vec<u32>,
+    filters: Vec<Filter>,
+    /// Of all together.
+    pub(super) edge_count: usize,
+}
+
+impl Vertices {
+    fn new(vertex_count: usize) -> Result<Self, BuildError> {
+        let (open, filters) = (memory::filled(vertex_count, NONE)?, memory::zeroed(vertex_count)?);
+        Ok(Self { open, filters, edge_count: 0 })
+    }
+
+    /// Puts opposites into `cells`, whatever they held. Gives whether patience was enough.
+    fn pair(&mut self, faces: &[[u32; 3]], cells: &mut [u32]) -> bool {
+        let mut lists = Lists {
+            origins: faces.as_flattened(),
+            open: &mut self.open,
+            filters: &mut self.filters,
+            cells,
+            edge_count: 0,
+            patience: PATIENCE * 3 * faces.len(),
+        };
+        for (f, &[a, b, c]) in faces.iter().enumerate() {
+            for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
+                if !lists.add((3 * f + k) as u32, a, b) {
+                    return false;
+                }
             }
         }
-        if lists.patience == 0 || in_doubt.len() > faces.len() / RARE + 1 {
-            drop((lists, in_doubt));
-            return partition::pair(vertex_count, faces);
-        }
+        self.edge_count = lists.edge_count;
+        lists.close();
+        true
     }
-    let mut joiner = Joiner::with(faces, lists.into_opposites());
-    if !in_doubt.is_empty() {
-        partition::pair_again(vertex_count, faces, &in_doubt, &mut joiner)?;
+
+    pub(super) fn filters(&self) -> &[Filter] {
+        &self.filters
     }
-    joiner.finish()
+
+    /// A half-edge of the vertex, which is the lower end of some.
+    pub(super) fn half_edge(&self, low: u32) -> HalfEdgeId {
+        HalfEdgeId::new((self.open[low as usize] & !END) as usize)
+    }
+}
+
+/// The edges of a lower vertex: a bit for each in the lower 56, which others may share, and their number above that,
+/// from 255 on less some 256.
+#[derive(Clone, Copy, bytemuck::Zeroable)]
+#[repr(transparent)]
+pub(super) struct Filter(u64);
+
+impl Filter {
+    const BITS: u32 = 56;
+
+    /// Neighbours in number get bits far apart.
+    #[inline(always)]
+    fn add(&mut self, high: u32) {
+        let place = (u64::from(high.wrapping_mul(0x9E37_79B9)) * u64::from(Self::BITS)) >> 32;
+        self.0 = (self.0 | 1 << place).wrapping_add(1 << Self::BITS);
+    }
+
+    pub(super) fn bit_count(self) -> u32 {
+        (self.0 << (64 - Self::BITS)).count_ones()
+    }
+
+    pub(super) fn edge_count(self) -> u32 {
+        (self.0 >> Self::BITS) as u32
+    }
 }
 
 struct Lists<'a> {
     /// Of each half-edge.
-    origin: &'a [u32],
-    /// The first open edge of each lower vertex.
-    open: Vec<u32>,
-    /// What edges each lower vertex had: a bit in each word for each of them.
-    filters: Vec<[u16; 3]>,
+    origins: &'a [u32],
+    open: &'a mut [u32],
+    filters: &'a mut [Filter],
     /// The opposite of each half-edge, or the next open edge.
-    cell: Vec<u32>,
+    cells: &'a mut [u32],
+    edge_count: usize,
     patience: usize,
 }
 
 impl Lists<'_> {
-    /// Adds half-edge `h`, which runs from `a` to `b`. Gives whether it may not be the first of the edge it opens.
+    /// Adds half-edge `h`, which runs from `a` to `b`. Gives whether patience was enough.
     #[inline(always)]
     fn add(&mut self, h: u32, a: u32, b: u32) -> bool {
         let (low, high) = (a.min(b), a.max(b));
         let open = &mut self.open[low as usize];
-        let (mut before, mut at) = (END, *open);
-        while at != END {
-            let next = self.cell[at as usize];
+        let (mut before, mut at) = (NONE, *open);
+        while at < END {
+            let next = self.cells[at as usize];
             // One end is `low`. The other one of a half-edge that runs back is its origin if this one goes up, else its target;
             // at one that runs along with this it is `low` there, which is not `high`.
             let end = if a < b { at as usize } else { corner::next(HalfEdgeId::new(at as usize)).index() };
-            if self.origin[end] == high {
-                if before == END {
+            if self.origins[end] == high {
+                if before == NONE {
                     *open = next;
                 } else {
-                    self.cell[before as usize] = next;
+                    self.cells[before as usize] = next;
                 }
-                self.cell[at as usize] = h;
-                self.cell[h as usize] = at;
-                return false;
+                self.cells[at as usize] = h;
+                self.cells[h as usize] = at;
+                return true;
             }
             (before, at) = (at, next);
-            self.patience = self.patience.saturating_sub(1);
+            if self.patience == 0 {
+                return false;
+            }
+            self.patience -= 1;
         }
-        if before == END {
+        if before == NONE {
             *open = h;
         } else {
-            self.cell[before as usize] = h;
+            self.cells[before as usize] = h;
         }
-        let hash = high.wrapping_mul(0x9E37_79B9);
-        let bits = [hash >> 28, hash >> 24, hash >> 20].map(|place| 1 << (place & 15));
-        let filter = &mut self.filters[low as usize];
-        let [x, y, z] = *filter;
-        *filter = [x | bits[0], y | bits[1], z | bits[2]];
-        *filter == [x, y, z]
+        self.cells[h as usize] = if at == NONE { h | END } else { at };
+        self.filters[low as usize].add(high);
+        self.edge_count += 1;
+        true
     }
 
     /// Edges that are open in the end have no opposite.
-    fn into_opposites(mut self) -> Vec<Slot<HalfEdgeId>> {
-        drop(self.filters);
-        for mut at in self.open {
-            while at != END {
-                at = core::mem::replace(&mut self.cell[at as usize], END);
+    fn close(self) {
+        for first in self.open {
+            while *first < END {
+                *first = core::mem::replace(&mut self.cells[*first as usize], NONE);
             }
         }
-        bytemuck::cast_vec(self.cell) // `END` is none
     }
 }

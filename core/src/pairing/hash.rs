@@ -1,11 +1,12 @@
 //! A hash map from edge to root. FxHash does not withstand chosen keys, so `Auto` never takes this.
-use super::{Paired, joiner::Joiner};
-use crate::{BuildError, corner};
+use super::{Paired, Pairing, joiner::Joiner};
+use crate::{BuildError, HalfEdgeId, Slot, corner};
+use alloc::vec::Vec;
 use fxhash::FxBuildHasher;
 use hashbrown::{HashMap, hash_map::Entry};
 
-pub(super) fn pair(faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
-    let mut joiner = Joiner::new(faces)?;
+pub(super) fn pair(faces: &[[u32; 3]], table: Vec<Slot<HalfEdgeId>>) -> Result<Paired, BuildError> {
+    let mut joiner = Joiner::new(faces, table);
     let mut roots: HashMap<(u32, u32), u32, FxBuildHasher> = HashMap::default();
     // A closed mesh has so many edges; one with a boundary has more, up to twice as many.
     let mut room = 3 * faces.len() / 2;
@@ -23,5 +24,5 @@ pub(super) fn pair(faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
             }
         }
     }
-    joiner.finish()
+    joiner.finish(Pairing::Hash)
 }

@@ -1,5 +1,5 @@
 //! Joins half-edges to the root of their edge, and keeps what does not pair.
-use super::Paired;
+use super::{Paired, Pairing};
 use crate::{BuildError, HalfEdgeId, Handle, Slot, corner, memory};
 use alloc::vec::Vec;
 
@@ -45,23 +45,36 @@ impl EdgeRecords {
     }
 }
 
+/// (root, half-edge) of what does not pair.
+pub(super) type Extra = Vec<(HalfEdgeId, HalfEdgeId)>;
+
 /// Collects what a strategy finds.
 pub(super) struct Joiner<'a> {
     faces: &'a [[u32; 3]],
     opposite: Vec<Slot<HalfEdgeId>>,
-    /// (root, half-edge) of what does not pair.
-    extra: Vec<(HalfEdgeId, HalfEdgeId)>,
+    extra: Extra,
 }
 
 impl<'a> Joiner<'a> {
-    pub(super) fn new(faces: &'a [[u32; 3]]) -> Result<Self, BuildError> {
-        let opposite = memory::filled(3 * faces.len(), Slot::NONE)?;
-        Ok(Self { faces, opposite, extra: Vec::new() })
+    /// Nothing is joined, whatever `table` held.
+    pub(super) fn new(faces: &'a [[u32; 3]], mut table: Vec<Slot<HalfEdgeId>>) -> Self {
+        table.fill(Slot::NONE);
+        Self::with(faces, table)
     }
 
     /// For a strategy that has joined pairs by itself.
     pub(super) fn with(faces: &'a [[u32; 3]], opposite: Vec<Slot<HalfEdgeId>>) -> Self {
         Self { faces, opposite, extra: Vec::new() }
+    }
+
+    /// Both tables, for a strategy that writes them itself.
+    pub(super) fn tables(&mut self) -> (&mut [Slot<HalfEdgeId>], &mut Extra) {
+        (&mut self.opposite, &mut self.extra)
+    }
+
+    /// What `h` was joined to.
+    pub(super) fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.opposite[h.index()].get()
     }
 
     /// Forgets what `h` was joined to.
@@ -94,7 +107,7 @@ impl<'a> Joiner<'a> {
         memory::push(&mut self.extra, (HalfEdgeId::new(root), HalfEdgeId::new(h)))
     }
 
-    pub(super) fn finish(mut self) -> Result<Paired, BuildError> {
+    pub(super) fn finish(mut self, taken: Pairing) -> Result<Paired, BuildError> {
         self.extra.sort_unstable();
         let by_root = || self.extra.chunk_by(|a, b| a.0 == b.0);
         // Beside what did not pair, each record has its root, and perhaps a partner.
@@ -115,6 +128,6 @@ impl<'a> Joiner<'a> {
             irregular.half_edges[start..].sort_unstable();
             irregular.ends.push(irregular.half_edges.len() as u32);
         }
-        Ok(Paired { opposite: self.opposite, irregular })
+        Ok(Paired { opposite: self.opposite, irregular, taken })
     }
 }

@@ -4,13 +4,15 @@
 //! same two vertices. All else follows from that, so all give the same result on every input.
 mod chain;
 mod check;
+mod deal;
+mod doubts;
 mod hash;
 mod joiner;
 mod paper_hash;
 mod partition;
 mod quadratic;
 
-use crate::{BuildError, HalfEdgeId, Slot};
+use crate::{BuildError, HalfEdgeId, Slot, memory};
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -87,10 +89,12 @@ pub struct Paired {
     pub opposite: Vec<Slot<HalfEdgeId>>,
     /// The edges of three or more half-edges, or of two that run in the same direction.
     pub irregular: EdgeRecords,
+    /// The strategy that found them: what `Auto` chose, and `Partition` where `Chain` gave up.
+    pub taken: Pairing,
 }
 
-/// Pairs the half-edges of `faces`. Beyond the result, on a mesh without irregular edges, `Chain` takes 10 bytes a
-/// vertex, `Partition` 36 a face and some 14 more for each half-edge of the largest part, `PaperHash` 24 a face, `Hash`
+/// Pairs the half-edges of `faces`. Beyond the result, on a mesh without irregular edges, `Chain` takes 12 bytes a
+/// vertex, `Partition` 30 a face and some 12 more for each half-edge of the largest part, `PaperHash` 24 a face, `Hash`
 /// some 40 to 80 a face, and `Quadratic` nothing. `Auto` is one of the first two.
 ///
 /// # Errors
@@ -98,20 +102,29 @@ pub struct Paired {
 /// half-edges than handles can name; [`BuildError::OutOfMemory`].
 pub fn pair(vertex_count: usize, faces: &[[u32; 3]], pairing: Pairing) -> Result<Paired, BuildError> {
     check_counts(vertex_count, faces.len(), u32::MAX as usize - 1)?;
-    check_faces(vertex_count, faces)?;
-    match pairing {
-        Pairing::Auto => pair_checked(vertex_count, faces, Pairing::choose(vertex_count, faces)),
-        chosen => pair_checked(vertex_count, faces, chosen),
-    }
+    pair_into(vertex_count, faces, pairing, memory::zeroed(3 * faces.len())?)
 }
 
-fn pair_checked(vertex_count: usize, faces: &[[u32; 3]], pairing: Pairing) -> Result<Paired, BuildError> {
-    match pairing {
-        Pairing::Quadratic => quadratic::pair(faces),
-        Pairing::PaperHash => paper_hash::pair(faces),
-        Pairing::Hash => hash::pair(faces),
-        Pairing::Partition => partition::pair(vertex_count, faces),
-        Pairing::Auto | Pairing::Chain => chain::pair(vertex_count, faces),
+/// The same into a table that there is: it becomes [`Paired::opposite`], of whatever length it was and whatever it held.
+///
+/// # Errors
+/// As for [`pair`].
+pub fn pair_into(
+    vertex_count: usize,
+    faces: &[[u32; 3]],
+    pairing: Pairing,
+    mut table: Vec<Slot<HalfEdgeId>>,
+) -> Result<Paired, BuildError> {
+    check_counts(vertex_count, faces.len(), u32::MAX as usize - 1)?;
+    memory::resize(&mut table, 3 * faces.len(), Slot::NONE)?;
+    check_faces(vertex_count, faces)?;
+    let chosen = if pairing == Pairing::Auto { Pairing::choose(vertex_count, faces) } else { pairing };
+    match chosen {
+        Pairing::Chain => chain::pair(vertex_count, faces, table),
+        Pairing::Quadratic => quadratic::pair(faces, table),
+        Pairing::PaperHash => paper_hash::pair(faces, table),
+        Pairing::Hash => hash::pair(faces, table),
+        Pairing::Partition | Pairing::Auto => partition::pair(vertex_count, faces, table),
     }
 }
 

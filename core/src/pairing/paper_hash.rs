@@ -1,11 +1,12 @@
 //! The hash table of Biscaro et al. (2016), Eq. (7). Neighbouring edges collide: kept to compare with.
-use super::{Paired, joiner::Joiner};
-use crate::{BuildError, corner, memory};
+use super::{Paired, Pairing, joiner::Joiner};
+use crate::{BuildError, HalfEdgeId, Slot, corner, memory};
+use alloc::vec::Vec;
 
 const END: u32 = u32::MAX;
 
-pub(super) fn pair(faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
-    let mut joiner = Joiner::new(faces)?;
+pub(super) fn pair(faces: &[[u32; 3]], table: Vec<Slot<HalfEdgeId>>) -> Result<Paired, BuildError> {
+    let mut joiner = Joiner::new(faces, table);
     let size = 3 * faces.len();
     let mut heads = memory::filled(size, END)?;
     let mut links = memory::filled(size, END)?;
@@ -28,5 +29,5 @@ pub(super) fn pair(faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
             joiner.join(at as usize, h)?;
         }
     }
-    joiner.finish()
+    joiner.finish(Pairing::PaperHash)
 }

@@ -1,9 +1,10 @@
 //! Compares each half-edge with all before it.
-use super::{Paired, joiner::Joiner};
-use crate::{BuildError, corner};
+use super::{Paired, Pairing, joiner::Joiner};
+use crate::{BuildError, HalfEdgeId, Slot, corner};
+use alloc::vec::Vec;
 
-pub(super) fn pair(faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
-    let mut joiner = Joiner::new(faces)?;
+pub(super) fn pair(faces: &[[u32; 3]], table: Vec<Slot<HalfEdgeId>>) -> Result<Paired, BuildError> {
+    let mut joiner = Joiner::new(faces, table);
     for h in 0..3 * faces.len() {
         let (a, b) = (corner::origin(faces, h), corner::target(faces, h));
         let root = (0..h).find(|&g| {
@@ -14,5 +15,5 @@ pub(super) fn pair(faces: &[[u32; 3]]) -> Result<Paired, BuildError> {
             joiner.join(root, h)?;
         }
     }
-    joiner.finish()
+    joiner.finish(Pairing::Quadratic)
 }
