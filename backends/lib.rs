@@ -25,10 +25,11 @@ pub mod link;
 mod mate_face;
 #[macro_use]
 pub mod registry;
+mod renumbering;
 #[cfg(feature = "ring")]
 pub mod ring;
 mod selected;
-pub mod sot;
+mod sot;
 pub mod storage;
 mod table;
 mod vertex_graph;
@@ -38,6 +39,7 @@ pub use adjacency_graph::AdjacencyGraph;
 pub use half_edge::HalfEdgeMesh;
 pub use layout::aliases::*;
 pub use mate_face::MateFace;
+pub use renumbering::Renumbering;
 pub use selected::{Mesh, Selected};
 pub use sot::Sot;
 pub use table::Table;
