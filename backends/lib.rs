@@ -19,6 +19,7 @@ mod build;
 mod check;
 pub mod column;
 pub mod columns;
+mod compact_stars;
 mod half_edge;
 pub mod layout;
 pub mod link;
@@ -36,6 +37,7 @@ mod vertex_graph;
 mod winged_edge;
 
 pub use adjacency_graph::AdjacencyGraph;
+pub use compact_stars::CompactStars;
 pub use half_edge::HalfEdgeMesh;
 pub use layout::aliases::*;
 pub use mate_face::MateFace;

@@ -3,7 +3,7 @@ use alloc::vec::Vec;
 use onering_core::{HalfEdgeId, Handle, Topology};
 
 /// The maps between the numbers of a list of faces and those of a structure that renumbers: what
-/// [`Sot::encode`](crate::Sot::encode) gives beside it.
+/// [`Sot::encode`](crate::Sot::encode) and [`CompactStars::encode`](crate::CompactStars::encode) give beside it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Renumbering {
