@@ -19,25 +19,29 @@ mod build;
 mod check;
 pub mod column;
 pub mod columns;
+mod compact_stars;
 mod half_edge;
 pub mod layout;
 pub mod link;
 mod mate_face;
 #[macro_use]
 pub mod registry;
+mod renumbering;
 #[cfg(feature = "ring")]
 pub mod ring;
 mod selected;
-pub mod sot;
+mod sot;
 pub mod storage;
 mod table;
 mod vertex_graph;
 mod winged_edge;
 
 pub use adjacency_graph::AdjacencyGraph;
+pub use compact_stars::CompactStars;
 pub use half_edge::HalfEdgeMesh;
 pub use layout::aliases::*;
 pub use mate_face::MateFace;
+pub use renumbering::Renumbering;
 pub use selected::{Mesh, Selected};
 pub use sot::Sot;
 pub use table::Table;

@@ -61,6 +61,28 @@ pub const RENUMBERING: &[Entry] = &[Entry {
     bytes: crate::Sot::BYTES,
 }];
 
+/// What the registry says of a structure that renumbers, and whose bytes depend on the order of the vertices as well as
+/// on counts.
+#[derive(Clone, Copy, Debug)]
+pub struct Compressed {
+    /// Its name.
+    pub name: &'static str,
+    /// Its traits, from `topology` up.
+    pub traits: &'static [&'static str],
+    /// The least and the most bytes of connectivity a triangle, rounded, that were measured on large closed meshes.
+    pub bytes: [usize; 2],
+    /// What they are made of; exactly, in its documentation.
+    pub formula: &'static str,
+}
+
+/// Every [`Compressed`] structure.
+pub const COMPRESSED: &[Compressed] = &[Compressed {
+    name: "compact-stars",
+    traits: &["topology", "adjacency", "incidence"],
+    bytes: [5, 7],
+    formula: "(3 w + 10) T / 8 + V / 2, with w bits a difference",
+}];
+
 /// Rows of the memory table that are no backends: name, bytes of connectivity a triangle where there is any, and
 /// the formula.
 pub const NOT_BACKENDS: [(&str, Option<usize>, &str); 2] =

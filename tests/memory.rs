@@ -121,20 +121,33 @@ macro_rules! peaks {
 }
 peaks!(CheL1 CheL2 CheL3 DirectedEdgesSmall DirectedEdgesMedium DirectedEdgesFull MateFace);
 
-/// It is made by a function of its own, which gives maps as well.
-#[test]
-fn sot() {
+/// For what is made by a function of its own, which gives maps as well.
+fn counts_what_is_encoded<M: Clone>(
+    encode: impl Fn(usize, &[[u32; 3]]) -> Result<M, BuildError>,
+    heap_bytes: impl Fn(&M) -> usize,
+) {
     let torus = laws::Case::counted("a larger torus", 120, laws::torus(12, 10));
     for case in laws::corpus().into_iter().chain([torus]) {
-        let (encoded, live) = counted(|| Sot::encode(case.vertices, &case.faces).map(|(mesh, _)| mesh));
+        let (encoded, live) = counted(|| encode(case.vertices, &case.faces));
         let Ok(mesh) = encoded else {
             assert_eq!(live, 0, "{}: a mesh that is refused leaves nothing behind", case.name);
             continue;
         };
-        assert_eq!(live, mesh.heap_bytes(), "{}: encoded", case.name);
+        assert_eq!(live, heap_bytes(&mesh), "{}: encoded", case.name);
         let (copy, live) = counted(|| mesh.clone());
-        assert_eq!(live, copy.heap_bytes(), "{}: copied", case.name);
+        assert_eq!(live, heap_bytes(&copy), "{}: copied", case.name);
     }
+}
+
+#[test]
+fn sot() {
+    counts_what_is_encoded(|n, faces| Sot::encode(n, faces).map(|(mesh, _)| mesh), Sot::heap_bytes);
+}
+
+#[test]
+fn compact_stars() {
+    let encode = |n, faces: &[_]| CompactStars::encode(n, faces).map(|(mesh, _)| mesh);
+    counts_what_is_encoded(encode, CompactStars::heap_bytes);
 }
 
 #[test]

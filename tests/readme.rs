@@ -1,5 +1,5 @@
 //! The table of structures in the README is what the registry says.
-use onering::registry::{BACKENDS, NOT_BACKENDS, RENUMBERING};
+use onering::registry::{BACKENDS, COMPRESSED, NOT_BACKENDS, RENUMBERING};
 use std::fmt::Write;
 
 const BEGIN: &str = "<!-- made from the registry, checked by tests/readme.rs -->\n";
@@ -19,6 +19,13 @@ fn table() -> String {
         let (name, bytes, formula) = (entry.name, entry.bytes.per_triangle(), entry.bytes.to_string());
         let (traits, holds) = (words(entry.traits), words(entry.holds));
         writeln!(table, "| `{name}` | {bytes} | {} | {formula} | {traits} | {holds} |", bytes + 6).unwrap();
+    }
+    for entry in COMPRESSED {
+        let ([least, most], formula) = (entry.bytes, entry.formula);
+        let range = |xyz| format!("{} to {}", least + xyz, most + xyz);
+        let traits = words(entry.traits);
+        writeln!(table, "| `{}` | {} | {} | {formula} | {traits} |  |", entry.name, range(0), range(6))
+            .unwrap();
     }
     table
 }

@@ -1,11 +1,9 @@
 //! [`Sot`]: the sorted opposite table, half of a corner table.
 mod matching;
-mod renumbering;
+mod order;
 
-pub use renumbering::Renumbering;
-
-use crate::CheL1;
 use crate::link::{Coded, Coding};
+use crate::{CheL1, Renumbering};
 use alloc::boxed::Box;
 use core::fmt;
 use matching::Matching;
@@ -14,7 +12,7 @@ use onering_core::{
     Adjacency, BuildError, FaceId, FromFaces, HalfEdgeId, Handle, Incidence, Topology, VertexId,
     WithOutgoing, corner, pairing,
 };
-use renumbering::Order;
+use order::Order;
 
 /// What a table is encoded from: it numbers half-edges by corners.
 type Source = WithOutgoing<CheL1>;

@@ -28,7 +28,8 @@ use crate::Topology;
 pub trait Adjacency: Topology {
     /// The half-edge that runs the other way along the same edge, where the edge has exactly two and they run
     /// in opposite directions; `None` on the boundary, at an edge of three or more faces, and across an edge
-    /// whose two faces run along it in the same direction. O(1).
+    /// whose two faces run along it in the same direction. O(1), but for compact stars, where it is a look at the ring
+    /// of the target.
     fn opposite(&self, h: Self::HalfEdge) -> Option<Self::HalfEdge>;
 
     /// Every half-edge along the edge of `h`, in either direction, each once: `h` first, then the others in

@@ -1,53 +1,11 @@
-//! The order of a sorted opposite table, and the maps to it.
+//! The order of a sorted opposite table.
 use super::matching::Matching;
 use super::{Sot, Source};
+use crate::Renumbering;
 use alloc::vec::Vec;
 use onering_core::{
     Adjacency, BuildError, FaceId, HalfEdgeId, Handle, Incidence, Map, Topology, VertexId, memory,
 };
-
-/// The maps between the numbers of a list of faces and those of the table that [`Sot::encode`] makes of it.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Renumbering {
-    /// For each vertex of the table the one of the list that it was.
-    pub vertex_source: Vec<u32>,
-    /// For each vertex of the list the one of the table that it is now.
-    pub vertex_target: Vec<u32>,
-    /// For each face of the table the one of the list that it was.
-    pub face_source: Vec<u32>,
-    /// For each face of the table the corner (0, 1 or 2) of the list's face that is now its first: by how many it
-    /// was turned to the left.
-    pub first_corner: Vec<u8>,
-}
-
-impl Renumbering {
-    /// The values of the list's vertices (positions, colours, ...) in the order of the table. O(vertices).
-    ///
-    /// # Panics
-    /// If `values` has fewer than there are vertices.
-    pub fn carry_vertices<T: Clone>(&self, values: &[T]) -> Vec<T> {
-        self.vertex_source.iter().map(|&v| values[v as usize].clone()).collect()
-    }
-
-    /// The values of the list's faces in the order of the table. O(faces).
-    ///
-    /// # Panics
-    /// If `values` has fewer than there are faces.
-    pub fn carry_faces<T: Clone>(&self, values: &[T]) -> Vec<T> {
-        self.face_source.iter().map(|&f| values[f as usize].clone()).collect()
-    }
-
-    /// The half-edge of the list, where those of face `f` are `3f`, `3f + 1` and `3f + 2`, that `h` of the table was.
-    ///
-    /// # Panics
-    /// If `h` is out of range.
-    pub fn half_edge_source(&self, h: HalfEdgeId) -> HalfEdgeId {
-        let (f, side) = (h.index() / 3, h.index() % 3);
-        let corner = (usize::from(self.first_corner[f]) + side) % 3;
-        HalfEdgeId::new(3 * self.face_source[f] as usize + corner)
-    }
-}
 
 /// What is known of a vertex, in the order in which the table has them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,7 +91,7 @@ impl Order {
     /// The table in this order.
     pub(super) fn encode(self, source: &Source) -> Result<(Sot, Renumbering), BuildError> {
         let cell = |h: usize| {
-            let h = self.renumbering.half_edge_source(HalfEdgeId::new(h));
+            let h = self.renumbering.corner_source(h / 3, h % 3);
             match source.opposite(h) {
                 Some(o) => self.half_edge(o).index() as i32,
                 None => !(self.renumbering.vertex_target[source.origin(h).index()] as i32),

@@ -1,0 +1,232 @@
+//! Compact stars renumber, so the laws run on each case in the numbers that their maps tell.
+#[allow(dead_code, reason = "fans are for the law of their order")]
+#[path = "common/naive.rs"]
+mod naive;
+#[path = "common/random.rs"]
+mod random;
+#[allow(dead_code, reason = "figures are for what is counted")]
+#[path = "common/real.rs"]
+mod real;
+#[path = "common/renumbered.rs"]
+mod renumbered;
+#[path = "common/shapes.rs"]
+mod shapes;
+
+use onering::conformance::{self as laws, Case};
+use onering::repair::{RepairOptions, repair};
+use onering::*;
+use proptest::prelude::*;
+use real::{MESHES, Real};
+use renumbered::{is_of_list, mixed, renumbered};
+use shapes::{Faces, grid};
+use std::collections::HashSet;
+
+type Encoder = fn(usize, &[[u32; 3]]) -> Result<(CompactStars, Renumbering), BuildError>;
+
+const ENCODERS: [Encoder; 2] = [CompactStars::encode, CompactStars::encode_in_order];
+
+/// The laws, on a case that they hold.
+fn obey(case: &Case, (mesh, maps): &(CompactStars, Renumbering)) {
+    let case = Case { faces: renumbered(&case.faces, maps), ..case.clone() };
+    laws::topology(&case, mesh);
+    laws::topology(&case, &mesh);
+    laws::adjacency(&case, mesh);
+    laws::adjacency(&case, &mesh);
+    laws::incidence(&case, mesh);
+    laws::incidence(&case, &mesh);
+    laws::graph(&case, mesh);
+    take_their_formula(case.name, mesh, case.vertices, &case.faces);
+    keep_their_order(case.name, mesh, &case.faces);
+}
+
+/// The bytes that the documentation tells, in numbers of the list alone.
+fn take_their_formula(name: &str, mesh: &CompactStars, vertices: usize, faces: &[[u32; 3]]) {
+    let sides = || faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let across: HashSet<[u32; 2]> = sides().collect();
+    let boundary = sides().filter(|&[a, b]| !across.contains(&[b, a]));
+    let boundary: HashSet<u32> = boundary.flatten().collect();
+    let used: HashSet<u32> = faces.as_flattened().iter().copied().collect();
+    let places = 3 * faces.len() + 2 * boundary.len() + vertices - used.len();
+    let longest = sides().map(|[a, b]| a.abs_diff(b)).max().unwrap_or(0);
+    let bits = 1 + (0..=32).find(|bits| 1_u64 << bits > u64::from(longest)).unwrap();
+    assert_eq!(mesh.difference_bits() as usize, bits, "{name}");
+    assert_eq!(mesh.half_edge_bound(), places, "{name}");
+    let differences = (places * bits).div_ceil(8) + 8;
+    let starts = 12 * (places + 1).div_ceil(64) + 4 * (vertices + 1).div_ceil(8);
+    let firsts = 12 * places.div_ceil(64) + 4 * faces.len().div_ceil(32);
+    assert_eq!(mesh.heap_bytes(), differences + starts + firsts, "{name}");
+}
+
+/// Half-edges by vertex, faces by their least vertex and named from there.
+fn keep_their_order(name: &str, mesh: &CompactStars, faces: &[[u32; 3]]) {
+    assert!(mesh.half_edges().is_sorted_by_key(|h| mesh.origin(h)), "{name}");
+    assert!(mesh.half_edges().is_sorted(), "{name}");
+    assert!(faces.is_sorted_by_key(|face| face[0]), "{name}");
+    assert!(faces.iter().all(|&[a, b, c]| a < b.min(c)), "{name}");
+}
+
+/// A mesh too large for the laws, compared with the list.
+fn agree(name: &str, vertices: usize, faces: &[[u32; 3]], encode: Encoder) -> CompactStars {
+    let (mesh, maps) = encode(vertices, faces).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let faces = renumbered(faces, &maps);
+    is_of_list(name, &mesh, vertices, &faces);
+    take_their_formula(name, &mesh, vertices, &faces);
+    keep_their_order(name, &mesh, &faces);
+    mesh
+}
+
+#[test]
+fn laws_of_the_corpus() {
+    for case in laws::corpus() {
+        for encode in ENCODERS {
+            match (encode(case.vertices, &case.faces), case.refusal(&[])) {
+                (Ok(encoded), None) => obey(&case, &encoded),
+                (Err(error), Some(expected)) => assert_eq!(error, *expected, "{}", case.name),
+                (encoded, expected) => panic!("{}: {encoded:?}, expected {expected:?}", case.name),
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn laws_of_any_list((vertices, faces) in random::lists()) {
+        for encode in ENCODERS {
+            let encoded = encode(vertices, &faces);
+            let expected = naive::error(vertices, &faces, &[]);
+            prop_assert_eq!(encoded.as_ref().err(), expected.as_ref());
+            if let Ok(encoded) = encoded {
+                obey(&Case::counted("at random", vertices, faces.clone()), &encoded);
+            }
+        }
+    }
+
+    /// Pieces of a disk, a torus and a band: manifold more often than not.
+    #[test]
+    fn laws_of_pieces(shape in (1..5u32, 3..5u32, any::<bool>(), any::<bool>()), kept in 0..40usize, seed in any::<u64>()) {
+        let (n, m, around, along) = shape;
+        let (vertices, faces) = grid(n.max(if around { 3 } else { 1 }), m, [around, along], false);
+        let mut faces = mixed(vertices, &faces, seed);
+        faces.truncate(kept.max(1));
+        for encode in ENCODERS {
+            if let Ok(encoded) = encode(vertices, &faces) {
+                obey(&Case::counted("a piece", vertices, faces.clone()), &encoded);
+            }
+        }
+    }
+}
+
+#[test]
+fn vertices_keep_their_numbers_where_asked() {
+    let (vertices, faces) = grid(9, 7, [true, false], false);
+    let faces = mixed(vertices, &faces, 5);
+    let (_, maps) = CompactStars::encode_in_order(vertices, &faces).unwrap();
+    assert!(maps.vertex_source.iter().copied().eq(0..vertices as u32));
+    assert_eq!(maps.vertex_target, maps.vertex_source);
+}
+
+/// Steps of up to 17 bits where vertices lie anywhere, and 9 where they are put in order: about two across the band.
+#[test]
+fn the_order_decides_how_many_bits() {
+    let (vertices, faces) = grid(1000, 100, [true, false], false);
+    let faces = mixed(vertices, &faces, 1);
+    let [ordered, as_it_is] = ENCODERS.map(|encode| agree("a shuffled band", vertices, &faces, encode));
+    assert_eq!([ordered.difference_bits(), as_it_is.difference_bits()], [10, 18]);
+    assert!(2 * ordered.heap_bytes() < 11 * faces.len(), "{} bytes", ordered.heap_bytes());
+}
+
+/// Vertices of many more neighbours than places in a word or between hints, at either end of their neighbours' numbers,
+/// and isolated ones between them.
+#[test]
+fn hubs() {
+    let fan = |centre: u32, rim: u32, n: u32, end: u32| -> Faces {
+        (0..end).map(|i| [centre, rim + i, rim + (i + 1) % n]).collect()
+    };
+    let faces =
+        [fan(0, 1, 5000, 5000), fan(17_000, 6000, 3000, 3000), fan(17_500, 10_000, 4000, 3999)].concat();
+    for encode in ENCODERS {
+        agree("hubs", 18_000, &faces, encode);
+        agree("shuffled hubs", 18_000, &mixed(18_000, &faces, 3), encode);
+    }
+}
+
+/// A fan of many faces in no order takes linear time to encode, and to walk where nothing is looked for.
+#[test]
+fn a_large_hub() {
+    const FACES: usize = 100_000;
+    let face = |i: usize| [0, 1 + i * 61_803 % FACES, 1 + (i * 61_803 + 1) % FACES].map(|v| v as u32);
+    let faces: Faces = (0..FACES).map(face).collect();
+    let (mesh, maps) = CompactStars::encode(FACES + 1, &faces).unwrap();
+    let hub = VertexId::new(maps.vertex_target[0] as usize);
+    assert_eq!((mesh.star(hub).count(), mesh.one_ring(hub).count()), (FACES, FACES));
+    let neighbours: HashSet<_> = mesh.one_ring(hub).collect();
+    assert_eq!(neighbours.len(), FACES);
+    take_their_formula("a large hub", &mesh, FACES + 1, &renumbered(&faces, &maps));
+}
+
+#[test]
+fn counts_at_the_ends() {
+    for encode in ENCODERS {
+        let error = encode(usize::MAX, &[]).err();
+        assert!(matches!(error, Some(BuildError::TooManyVertices { .. })), "{error:?}");
+        let error = BuildError::VertexOutOfRange { face: 0, vertex: 0, vertex_count: 0 };
+        assert_eq!(encode(0, &[[0, 1, 2]]).err(), Some(error));
+        let (mesh, maps) = encode(0, &[]).unwrap();
+        assert_eq!((mesh.vertex_count(), mesh.half_edge_bound(), maps), (0, 0, Renumbering::default()));
+        let (mesh, _) = encode(100, &[]).unwrap();
+        assert_eq!((mesh.half_edges().count(), mesh.half_edge_bound()), (0, 100));
+    }
+}
+
+#[test]
+fn attributes_are_carried() {
+    let (mesh, maps) = CompactStars::encode(4, &[[3, 1, 0], [0, 2, 3]]).unwrap();
+    let names = maps.carry_vertices(&["a", "b", "c", "d"]);
+    let faces = maps.carry_faces(&[["d", "b", "a"], ["a", "c", "d"]]);
+    for (f, named) in mesh.faces().zip(faces) {
+        for h in mesh.face_half_edges(f) {
+            let side = maps.half_edge_source(&mesh, h).index() % 3;
+            assert_eq!(names[mesh.origin(h).index()], named[side]);
+        }
+    }
+}
+
+#[test]
+fn real_meshes() {
+    for Real { name, mesh, .. } in &*MESHES {
+        let mended = repair(mesh.positions.len(), &mesh.faces, &RepairOptions { weld: None }).unwrap();
+        let stars = agree(name, mended.vertex_count, &mended.faces, CompactStars::encode);
+        if mended.faces.len() > 10_000 {
+            assert!(stars.heap_bytes() < 8 * mended.faces.len(), "{name}: {} bytes", stars.heap_bytes());
+        }
+    }
+}
+
+#[test]
+#[should_panic(expected = "vertex 3 of 3")]
+fn a_vertex_out_of_range() {
+    let (mesh, _) = CompactStars::encode(3, &[[0, 1, 2]]).unwrap();
+    mesh.outgoing(VertexId::new(3));
+}
+
+#[test]
+#[should_panic(expected = "h9 is out of range")]
+fn a_half_edge_out_of_range() {
+    let (mesh, _) = CompactStars::encode(3, &[[0, 1, 2]]).unwrap();
+    mesh.opposite(HalfEdgeId::new(9));
+}
+
+#[test]
+#[should_panic(expected = "face 1 of 1")]
+fn a_face_out_of_range() {
+    let (mesh, _) = CompactStars::encode(3, &[[0, 1, 2]]).unwrap();
+    mesh.first(FaceId::new(1));
+}
+
+#[test]
+fn are_shared_and_copied() {
+    fn check<M: Send + Sync + Clone + std::fmt::Debug + 'static>() {}
+    check::<CompactStars>();
+}
