@@ -162,7 +162,7 @@ impl<S: Storage> Incidence for AdjacencyGraph<S> {
     fn one_ring(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
         let walks = self.has_several_fans(v);
         let (list, start) = if walks { (&[][..], self.table.outgoing(v)) } else { (self.list(v), None) };
-        list.iter().copied().chain(OneRing::new(&self.table, start))
+        list.iter().copied().chain(start.into_iter().flat_map(|h| OneRing::new(&self.table, Some(h))))
     }
 
     #[inline]
