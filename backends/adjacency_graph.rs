@@ -45,21 +45,16 @@ impl<S: Storage> fmt::Debug for AdjacencyGraph<S> {
     }
 }
 
-#[inline]
-fn has_several_fans<S: Storage>(table: &DirectedEdgesSmall<S>, v: VertexId) -> bool {
-    table.fans(v).nth(1).is_some()
-}
-
 impl FromFaces for AdjacencyGraph {
     fn build(vertex_count: usize, faces: Cow<'_, [[u32; 3]]>, pairing: Pairing) -> Result<Self, BuildError> {
         let table = DirectedEdgesSmall::build(vertex_count, faces, pairing)?;
-        let has_several = table.vertices().any(|v| has_several_fans(&table, v));
+        let has_several = table.vertices().any(|v| table.has_several_fans(v));
         let mut once = Once::new(if has_several { vertex_count } else { 0 })?;
         let mut offsets = memory::with_room(vertex_count + 1)?;
         let mut neighbours = memory::with_room(2 * edge_count(&table))?;
         for v in table.vertices() {
             offsets.push(neighbours.len() as u32);
-            if has_several && has_several_fans(&table, v) {
+            if has_several && table.has_several_fans(v) {
                 neighbours.extend(rings(&table, v).filter(|&w| once.is_new(v, w)));
             } else {
                 table.one_ring(v).for_each(|w| neighbours.push(w));
@@ -134,6 +129,11 @@ impl<S: Storage> Adjacency for AdjacencyGraph<S> {
     fn is_boundary(&self, h: HalfEdgeId) -> bool {
         self.table.is_boundary(h)
     }
+
+    #[inline(always)]
+    fn rotate_ccw(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.table.rotate_ccw(h)
+    }
 }
 
 impl<S: Storage> Incidence for AdjacencyGraph<S> {
@@ -147,12 +147,22 @@ impl<S: Storage> Incidence for AdjacencyGraph<S> {
         self.table.fans(v)
     }
 
+    #[inline]
+    fn has_several_fans(&self, v: VertexId) -> bool {
+        self.has_several && self.table.has_several_fans(v)
+    }
+
+    #[inline]
+    fn star(&self, v: VertexId) -> impl Iterator<Item = HalfEdgeId> {
+        self.table.star(v)
+    }
+
     /// The list of `v` where it has one fan, otherwise a walk.
     #[inline]
     fn one_ring(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
-        let walks = self.has_several && has_several_fans(&self.table, v);
+        let walks = self.has_several_fans(v);
         let (list, start) = if walks { (&[][..], self.table.outgoing(v)) } else { (self.list(v), None) };
-        list.iter().copied().chain(OneRing::new(&self.table, start))
+        list.iter().copied().chain(start.into_iter().flat_map(|h| OneRing::new(&self.table, Some(h))))
     }
 
     #[inline]

@@ -4,6 +4,10 @@ use bytemuck::{Pod, Zeroable};
 use core::fmt;
 use onering_core::{HalfEdgeId, Handle, Slot};
 
+mod sealed {
+    pub trait Sealed {}
+}
+
 /// How a four-byte cell says "this half-edge" and "none".
 pub trait Coding: 'static {
     /// The most half-edges that it can name.
@@ -12,8 +16,9 @@ pub trait Coding: 'static {
     type Link: Link;
 }
 
-/// One link: a half-edge, none, or the number of something else.
-pub trait Link: Element + From<Slot<HalfEdgeId>> {
+/// One link: a half-edge, none, or the number of something else. Sealed: that a link always says the same is what turns
+/// without checks of bounds rely on.
+pub trait Link: sealed::Sealed + Element + From<Slot<HalfEdgeId>> {
     /// The half-edge that it leads to, if it leads to one.
     fn half_edge(self) -> Option<HalfEdgeId>;
 
@@ -32,6 +37,9 @@ pub enum Plain {}
 /// number k.
 #[derive(Debug)]
 pub enum Coded {}
+
+impl sealed::Sealed for Slot<HalfEdgeId> {}
+impl sealed::Sealed for CodedLink {}
 
 impl Coding for Plain {
     const MAX_HALF_EDGES: usize = u32::MAX as usize - 1;

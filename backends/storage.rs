@@ -15,8 +15,12 @@ impl<T: Pod + Debug + Send + Sync> Element for T {}
 
 /// Who owns the columns of a structure. Sealed: [`Owned`] and [`Borrowed`] are all there are.
 ///
-/// Every accessor of every structure checks bounds, whoever owns the columns: there are no unchecked ones.
+/// Every accessor of every structure checks bounds, whoever owns the columns. Turns around a vertex of a
+/// [`Table`](crate::Table) that owns its columns do not at each step: nobody else can write to them, and that their
+/// links are in range is seen when it is made.
 pub trait Storage: sealed::Sealed + Clone + Debug + Send + Sync {
+    /// Whether nobody else can write to the columns.
+    const IS_OWNED: bool;
     /// One column.
     type Slice<T: Element>: Deref<Target = [T]> + Clone + Debug + Send + Sync;
 }
@@ -33,9 +37,11 @@ impl sealed::Sealed for Owned {}
 impl sealed::Sealed for Borrowed<'_> {}
 
 impl Storage for Owned {
+    const IS_OWNED: bool = true;
     type Slice<T: Element> = Box<[T]>;
 }
 
 impl<'a> Storage for Borrowed<'a> {
+    const IS_OWNED: bool = false;
     type Slice<T: Element> = &'a [T];
 }

@@ -1,5 +1,6 @@
 //! [`Table`]: one struct for every row of the layout table.
 mod columns;
+mod walk;
 
 use crate::build::{self, Links};
 use crate::column::{Answered, Cells, Kept, Policy};
@@ -51,6 +52,29 @@ impl<L: Layout, S: Storage> Table<L, S> {
     /// Whether the row has a column that half-edges have to be paired for.
     const PAIRS: bool = L::Opposite::CELLS + L::Outgoing::CELLS + EdgeList::<L>::CELLS + L::Curves::CELLS > 0;
 
+    /// Whether the link across `h` is in the cell of `next(h)`, so that a turn around a vertex finds in one cell the next
+    /// half-edge and beside it the neighbour that the last one led to, and need not work out a place.
+    const IS_TURNED: bool = L::Target::CELLS > 0;
+
+    /// The cell of the link across `h`.
+    #[inline(always)]
+    fn link_cell(h: HalfEdgeId) -> usize {
+        if Self::IS_TURNED { corner::next(h).index() } else { h.index() }
+    }
+
+    /// The cell of the link across `prev(h)`. The compiler does not see by itself that `next(prev(h))` is `h`.
+    #[inline(always)]
+    fn turn_cell(h: HalfEdgeId) -> usize {
+        if Self::IS_TURNED { h.index() } else { corner::prev(h).index() }
+    }
+
+    /// Moves links across half-edges to their cells.
+    fn place_links(links: &mut [LinkOf<L>]) {
+        if Self::IS_TURNED {
+            links.as_chunks_mut::<3>().0.iter_mut().for_each(|face| face.rotate_right(1));
+        }
+    }
+
     const IS_SOUND: () = {
         assert!(L::Origin::CELLS + L::Target::CELLS > 0, "a layout stores `Origin` or `Target`");
         let coded = L::Links::MAX_HALF_EDGES < u32::MAX as usize - 1;
@@ -60,13 +84,21 @@ impl<L: Layout, S: Storage> Table<L, S> {
         );
     };
 
+    #[inline(always)]
+    fn link(&self, h: HalfEdgeId) -> LinkOf<L>
+    where
+        L::Opposite: Kept,
+    {
+        L::Opposite::get(&self.opposite, Self::link_cell(h))
+    }
+
     /// The half-edges along the irregular edge of `h`; none where its edge is regular.
     #[inline]
     fn edge_record(&self, h: HalfEdgeId) -> &[u32]
     where
         L::Opposite: Kept,
     {
-        let number = L::Opposite::get(&self.opposite, h.index()).number();
+        let number = self.link(h).number();
         let place = number.and_then(|k| k.checked_sub(self.curve_list.as_slice().len()));
         place.map_or(&[], |place| build::record(self.edge_records.as_slice(), place))
     }
@@ -74,6 +106,16 @@ impl<L: Layout, S: Storage> Table<L, S> {
     /// Whether some vertex has several fans.
     pub(crate) fn has_vertex_records(&self) -> bool {
         !self.vertex_records.as_slice().is_empty()
+    }
+
+    /// The start of the first fan of `v` where it has several.
+    #[cold]
+    #[inline(never)]
+    fn first_of_several(&self, v: VertexId) -> Option<HalfEdgeId>
+    where
+        L::Outgoing: Kept,
+    {
+        build::half_edges(self.vertex_record(v)).next()
     }
 
     /// The starts of the fans of `v`; none where it has one fan or no face.
@@ -103,6 +145,7 @@ impl<L: Layout> FromFaces for Table<L> {
         let edge_list = Cells::build(|| links.edge_list())?;
         let edge_index = Cells::build(|| links.edge_index())?;
         let curve_list = Cells::build(|| links.name_curves(&faces))?;
+        Self::place_links(&mut links.opposite);
         let (origin, target);
         if L::Origin::CELLS > 0 {
             target = Cells::build(|| build::targets(&faces))?;
@@ -111,7 +154,7 @@ impl<L: Layout> FromFaces for Table<L> {
             origin = Cells::build(|| Ok(Vec::new()))?;
             target = Cells::build(|| build::into_targets(faces))?;
         }
-        Ok(Self {
+        let table = Self {
             vertex_count,
             face_count,
             origin,
@@ -125,7 +168,9 @@ impl<L: Layout> FromFaces for Table<L> {
             curve_list,
             edge_records: Cells::build(|| Ok(links.edge_records.words))?,
             vertex_records: Cells::build(|| Ok(links.vertex_records.words))?,
-        })
+        };
+        assert!(table.check_turns().is_ok(), "pairing gives half-edges that exist");
+        Ok(table)
     }
 }
 
@@ -204,7 +249,12 @@ impl<L: Layout, S: Storage> Topology for Table<L, S> {
 impl<L: Layout<Opposite: Kept>, S: Storage> Adjacency for Table<L, S> {
     #[inline(always)]
     fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        L::Opposite::get(&self.opposite, h.index()).half_edge()
+        self.link(h).half_edge()
+    }
+
+    #[inline(always)]
+    fn rotate_ccw(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        L::Opposite::get(&self.opposite, Self::turn_cell(h)).half_edge()
     }
 
     #[inline]
@@ -224,13 +274,28 @@ impl<L: Layout<Opposite: Kept, Outgoing: Kept>, S: Storage> Incidence for Table<
     #[inline(always)]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
         let first = L::Outgoing::get(&self.outgoing, v.index()).half_edge();
-        if Self::HOLDS { first.or_else(|| build::half_edges(self.vertex_record(v)).next()) } else { first }
+        if Self::HOLDS { first.or_else(|| self.first_of_several(v)) } else { first }
     }
 
     #[inline]
     fn fans(&self, v: VertexId) -> impl Iterator<Item = HalfEdgeId> {
         let further = if Self::HOLDS { self.vertex_record(v) } else { &[] };
         self.outgoing(v).into_iter().chain(build::half_edges(further).skip(1))
+    }
+
+    #[inline]
+    fn has_several_fans(&self, v: VertexId) -> bool {
+        Self::HOLDS && L::Outgoing::get(&self.outgoing, v.index()).number().is_some()
+    }
+
+    #[inline]
+    fn star(&self, v: VertexId) -> impl Iterator<Item = HalfEdgeId> {
+        self.turns(self.fans(v))
+    }
+
+    #[inline(always)]
+    fn one_ring(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
+        self.ring(self.outgoing(v))
     }
 }
 
@@ -276,7 +341,7 @@ impl<L: Layout<Opposite: Kept, Curves: Kept>, S: Storage> Boundaries for Table<L
 
     #[inline]
     fn curve_of(&self, h: HalfEdgeId) -> Option<CurveId> {
-        let number = L::Opposite::get(&self.opposite, h.index()).number()?;
+        let number = self.link(h).number()?;
         (number < self.curve_count()).then(|| CurveId::new(number))
     }
 }

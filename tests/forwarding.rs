@@ -65,6 +65,7 @@ impl Adjacency for Probe {
         fn is_boundary(x: HalfEdgeId) -> bool = true;
         fn rotate_ccw(x: HalfEdgeId) -> Option<HalfEdgeId> = None;
         fn rotate_cw(x: HalfEdgeId) -> Option<HalfEdgeId> = None;
+        fn turn(x: HalfEdgeId) -> (VertexId, Option<HalfEdgeId>) = (v(0), None);
     }
 }
 
@@ -72,6 +73,7 @@ impl Incidence for Probe {
     probe! {
         fn outgoing(x: VertexId) -> Option<HalfEdgeId> = Some(h(x.index()));
         fn fans(x: VertexId) -> impl Iterator<Item = HalfEdgeId> = std::iter::once(h(x.index()));
+        fn has_several_fans(x: VertexId) -> bool = false;
         fn star(x: VertexId) -> impl Iterator<Item = HalfEdgeId> = std::iter::once(h(x.index()));
         fn one_ring(x: VertexId) -> impl Iterator<Item = VertexId> = [v(1), v(2)].into_iter();
         fn neighbours(x: VertexId) -> impl Iterator<Item = VertexId> = [v(1), v(2)].into_iter();
@@ -119,11 +121,13 @@ fn topology(mesh: &impl Topology<Vertex = VertexId, HalfEdge = HalfEdgeId, Face 
 }
 
 fn adjacency(mesh: &impl Adjacency<HalfEdge = HalfEdgeId>) {
-    hands_on!(mesh, Adjacency: opposite(h(1)) edge_fan(h(1)) is_boundary(h(1)) rotate_ccw(h(1)) rotate_cw(h(1)));
+    hands_on!(mesh, Adjacency:
+        opposite(h(1)) edge_fan(h(1)) is_boundary(h(1)) rotate_ccw(h(1)) rotate_cw(h(1)) turn(h(1)));
 }
 
 fn incidence(mesh: &impl Incidence<Vertex = VertexId>) {
-    hands_on!(mesh, Incidence: outgoing(v(1)) fans(v(1)) star(v(1)) one_ring(v(1)) neighbours(v(1)));
+    hands_on!(mesh, Incidence:
+        outgoing(v(1)) fans(v(1)) has_several_fans(v(1)) star(v(1)) one_ring(v(1)) neighbours(v(1)));
 }
 
 fn edge_map(mesh: &impl EdgeMap<HalfEdge = HalfEdgeId, Edge = EdgeId>) {

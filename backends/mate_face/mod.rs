@@ -94,6 +94,19 @@ impl<S: Storage> MateFace<S> {
         (only.or_else(|| record.first().map(as_face)), record.iter().skip(1).map(as_face))
     }
 
+    /// A cell of the first fan of `v`.
+    #[inline(always)]
+    fn start(&self, v: VertexId) -> Option<FaceId> {
+        let only = self.vertices[v.index()].half_edge().map(|number| FaceId::new(number.index()));
+        only.or_else(|| self.start_of_several(v))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn start_of_several(&self, v: VertexId) -> Option<FaceId> {
+        self.starts(v).0
+    }
+
     #[inline(always)]
     fn walk(&self, v: VertexId, start: Option<FaceId>) -> Walk<'_> {
         Walk::new(&self.cells, v, start)
@@ -207,7 +220,7 @@ impl<S: Storage> Adjacency for MateFace<S> {
 impl<S: Storage> Incidence for MateFace<S> {
     #[inline]
     fn outgoing(&self, v: VertexId) -> Option<HalfEdgeId> {
-        self.starts(v).0.map(|f| self.out_of(v, f))
+        self.start(v).map(|f| self.out_of(v, f))
     }
 
     #[inline]
@@ -224,14 +237,12 @@ impl<S: Storage> Incidence for MateFace<S> {
     }
 
     #[inline]
-    fn one_ring(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
-        self.walk(v, self.starts(v).0).ring()
+    fn has_several_fans(&self, v: VertexId) -> bool {
+        self.vertices[v.index()].number().is_some()
     }
 
-    /// Ring after ring: an edge of at most two faces is in one fan, so no neighbour comes twice.
-    #[inline]
-    fn neighbours(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
-        let (first, further) = self.starts(v);
-        self.walk(v, first).ring().chain(further.flat_map(move |f| self.walk(v, Some(f)).ring()))
+    #[inline(always)]
+    fn one_ring(&self, v: VertexId) -> impl Iterator<Item = VertexId> {
+        self.walk(v, self.start(v)).ring()
     }
 }

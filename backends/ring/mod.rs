@@ -31,7 +31,7 @@
 //!
 //! `open` is `unsafe` because a map shows what others write to the file later, whatever was checked before: a safe
 //! function could not keep its word. What a file holds is never the matter: every column is plain words, all
-//! accessors check bounds, of owned columns as of borrowed ones, and there are no unchecked ones.
+//! accessors check bounds, of owned columns as of borrowed ones, and over borrowed ones every step around a vertex does.
 //!
 //! # Layout, version 1
 //! All numbers are little-endian; a big-endian machine refuses to read and write. Reserved bytes are 0, and so are those
@@ -81,7 +81,7 @@
 //! | `che-l2` | and `outgoing` slot x V; `edge_list` `u32`, the least half-edge of each edge, ascending |
 //! | `che-l2-edge-table` | and `edge_index` `u32` x H, places in `edge_list` |
 //! | `che-l3` | as `che-l2`, links coded; `curve_list` `u32`, the first half-edge of each curve; -(k + 2) in `opposite` is curve k |
-//! | `directed-edges-small` | `target` `u32` x H; `opposite` coded x H; `outgoing` coded x V; `edge_records`, `vertex_records` `u32` |
+//! | `directed-edges-small` | `target` `u32` x H; `rotate_ccw` coded x H, where cell next(h) is the link across h; `outgoing` coded x V; `edge_records`, `vertex_records` `u32` |
 //! | `directed-edges-medium` | and `prev` `u32` x H, after `target` |
 //! | `directed-edges-full` | and `origin` before `target`, `next` after it |
 //! | `mate-face` | `cells` x F: three vertices, three slots of mates; `vertices` coded links to faces x V; `records` `u32` |

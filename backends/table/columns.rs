@@ -40,7 +40,7 @@ impl<L: Layout, S: Storage> Columns for Table<L, S> {
         list(L::Target::CELLS, Column::new("target", self.target.as_slice()));
         list(L::Next::CELLS, Column::new("next", self.next.as_slice()));
         list(L::Prev::CELLS, Column::new("prev", self.prev.as_slice()));
-        list(L::Opposite::CELLS, Column::new("opposite", self.opposite.as_slice()));
+        list(L::Opposite::CELLS, Column::new(Self::LINKS, self.opposite.as_slice()));
         list(L::Outgoing::CELLS, Column::new("outgoing", self.outgoing.as_slice()));
         list(EdgeList::<L>::CELLS, Column::new("edge_list", self.edge_list.as_slice()));
         list(EdgeIndex::<L>::CELLS, Column::new("edge_index", self.edge_index.as_slice()));
@@ -58,12 +58,12 @@ impl<L: Layout, S: Storage> Columns for Table<L, S> {
         if let Some(f) = self.faces().find(|&f| !check::is_proper(self.face_vertices(f))) {
             return Err(Invalid::element(self.corner_column(), 3 * f.index(), check::DEGENERATE));
         }
-        self.check_links("opposite", self.opposite.as_slice())?;
+        self.check_links_across()?;
         self.check_links("outgoing", self.outgoing.as_slice())?;
         self.check_edge_records()?;
         let linked = Linked(self);
         if L::Opposite::CELLS > 0 {
-            check::opposites(&linked, "opposite")?;
+            check::opposites(&linked, Self::LINKS).map_err(Self::in_its_cell)?;
             if L::Outgoing::CELLS > 0 {
                 self.check_vertex_records()?;
                 check::fans(&linked, "outgoing", |v| self.fan_starts(v))?;
@@ -87,25 +87,48 @@ impl<L: Layout, S: Storage> FromColumns for Table<L, S> {
         let (vertex_count, face_count) = (source.vertex_count(), source.face_count());
         pairing::check_counts(vertex_count, face_count, L::Links::MAX_HALF_EDGES)?;
         let (of_vertices, of_half_edges) = (Some(vertex_count), Some(3 * face_count));
-        Ok(Table {
+        let table = Table {
             vertex_count,
             face_count,
             origin: Cells::build(|| source.column("origin", of_half_edges))?,
             target: Cells::build(|| source.column("target", of_half_edges))?,
             next: Cells::build(|| source.column("next", of_half_edges))?,
             prev: Cells::build(|| source.column("prev", of_half_edges))?,
-            opposite: Cells::build(|| source.column("opposite", of_half_edges))?,
+            opposite: Cells::build(|| source.column(Self::LINKS, of_half_edges))?,
             outgoing: Cells::build(|| source.column("outgoing", of_vertices))?,
             edge_list: Cells::build(|| source.column("edge_list", None))?,
             edge_index: Cells::build(|| source.column("edge_index", of_half_edges))?,
             curve_list: Cells::build(|| source.column("curve_list", None))?,
             edge_records: Cells::build(|| source.column("edge_records", None))?,
             vertex_records: Cells::build(|| source.column("vertex_records", None))?,
-        })
+        };
+        if T::IS_OWNED {
+            table.check_turns()?;
+        }
+        Ok(table)
     }
 }
 
 impl<L: Layout, S: Storage> Table<L, S> {
+    /// The name of the column of links across half-edges, by the half-edge whose cell it is.
+    const LINKS: &'static str = if Self::IS_TURNED { "rotate_ccw" } else { "opposite" };
+
+    /// What is wrong with the link across a half-edge, said of its cell.
+    fn in_its_cell(problem: Invalid) -> Invalid {
+        match problem {
+            Invalid::Element { column, index, problem } => {
+                Invalid::element(column, Self::link_cell(HalfEdgeId::new(index)), problem)
+            }
+            other => other,
+        }
+    }
+
+    /// The link across `h`, whether or not the row is known to have any.
+    #[inline(always)]
+    fn link_if_any(&self, h: HalfEdgeId) -> LinkOf<L> {
+        self.opposite.as_slice()[Self::link_cell(h)]
+    }
+
     /// The column that faces are in.
     fn corner_column(&self) -> &'static str {
         if L::Origin::CELLS > 0 { "origin" } else { "target" }
@@ -136,9 +159,26 @@ impl<L: Layout, S: Storage> Table<L, S> {
         Ok(())
     }
 
+    fn check_links_across(&self) -> Checked {
+        self.check_links(Self::LINKS, self.opposite.as_slice())
+    }
+
+    /// What turns without checks of bounds rely on: a cell for each half-edge in the columns that they read, and links
+    /// to half-edges that exist.
+    pub(super) fn check_turns(&self) -> Checked {
+        if L::Opposite::CELLS == 0 {
+            return Ok(());
+        }
+        let vertices = if Self::IS_TURNED { self.target.as_slice() } else { self.origin.as_slice() };
+        if vertices.len() != 3 * self.face_count || self.opposite.as_slice().len() != 3 * self.face_count {
+            return Err(Invalid::column(Self::LINKS, "has more or fewer cells than there are half-edges"));
+        }
+        self.check_links_across()
+    }
+
     /// The place of the record that the link of a half-edge names.
     fn edge_place(&self, h: HalfEdgeId) -> Option<usize> {
-        self.opposite.as_slice()[h.index()].number()?.checked_sub(self.curve_list.as_slice().len())
+        self.link_if_any(h).number()?.checked_sub(self.curve_list.as_slice().len())
     }
 
     /// Each record is of one irregular edge, ascending, and named by all of its half-edges and no others.
@@ -161,7 +201,7 @@ impl<L: Layout, S: Storage> Table<L, S> {
         })?;
         let half_edges = (0..self.opposite.as_slice().len()).map(HalfEdgeId::new);
         if half_edges.filter(|&h| self.edge_place(h).is_some()).count() != members {
-            return Err(Invalid::column("opposite", "names a record that does not have the half-edge"));
+            return Err(Invalid::column(Self::LINKS, "names a record that does not have the half-edge"));
         }
         Ok(())
     }
@@ -196,10 +236,11 @@ impl<L: Layout, S: Storage> Table<L, S> {
         let faces = self.faces().map(|f| self.face_vertices(f).map(|v| v.index() as u32));
         let faces = memory::collected(faces)?;
         let found = build::links::<LinkOf<L>>(self.vertex_count, &faces, Pairing::Auto, false, Self::HOLDS)?;
-        let link = |i: usize| self.opposite.as_slice()[i];
-        let differs = |i: &usize| found.opposite[*i].half_edge() != link(*i).half_edge();
+        let link = |i: usize| self.link_if_any(HalfEdgeId::new(i)).half_edge();
+        let differs = |i: &usize| found.opposite[*i].half_edge() != link(*i);
         if let Some(index) = (0..found.opposite.len()).find(differs) {
-            return Err(Invalid::element("opposite", index, "is not what lies across the edge"));
+            let problem = Invalid::element(Self::LINKS, index, "is not what lies across the edge");
+            return Err(Self::in_its_cell(problem));
         }
         if self.edge_records.as_slice() != found.edge_records.words {
             return Err(Invalid::column("edge_records", "are not those of the irregular edges"));
@@ -247,7 +288,7 @@ impl<L: Layout, S: Storage> Table<L, S> {
         }
         check::handles("curve_list", starts, 3 * self.face_count)?;
         let linked = Linked(self);
-        let is_of = |h: HalfEdgeId, k| self.opposite.as_slice()[h.index()].number() == Some(k);
+        let is_of = |h: HalfEdgeId, k| self.link_if_any(h).number() == Some(k);
         let mut named = 0;
         for (k, &start) in starts.iter().enumerate() {
             let fail = |problem| Err(Invalid::element("curve_list", k, problem));
@@ -342,7 +383,7 @@ impl<L: Layout, S: Storage> Topology for Linked<'_, L, S> {
 impl<L: Layout, S: Storage> Adjacency for Linked<'_, L, S> {
     #[inline(always)]
     fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
-        self.0.opposite.as_slice()[h.index()].half_edge()
+        self.0.link_if_any(h).half_edge()
     }
 
     #[inline]

@@ -4,13 +4,18 @@
 
 const NONE: u32 = u32::MAX;
 
-/// Columns of directed edges; `prev` and `origin` are used by the larger variants.
+/// Columns of compact half-edges and of directed edges.
 pub(crate) struct Columns {
-    pub(crate) origin: Vec<u32>,
-    pub(crate) target: Vec<u32>,
-    pub(crate) prev: Vec<u32>,
-    pub(crate) opposite: Vec<u32>,
-    pub(crate) outgoing: Vec<u32>,
+    origin: Vec<u32>,
+    target: Vec<u32>,
+    opposite: Vec<u32>,
+    /// The next half-edge out of the same vertex: `opposite[prev(h)]`.
+    rotate: Vec<u32>,
+    outgoing: Vec<u32>,
+}
+
+fn next(h: u32) -> u32 {
+    if h % 3 == 2 { h - 2 } else { h + 1 }
 }
 
 fn prev(h: u32) -> u32 {
@@ -26,48 +31,89 @@ impl Columns {
         Self {
             origin: half_edges().map(|h| mesh.origin(h).index() as u32).collect(),
             target: half_edges().map(|h| mesh.target(h).index() as u32).collect(),
-            prev: half_edges().map(|h| index(Some(mesh.prev(h)))).collect(),
             opposite: half_edges().map(|h| index(mesh.opposite(h))).collect(),
+            rotate: half_edges().map(|h| index(mesh.opposite(mesh.prev(h)))).collect(),
             outgoing: mesh.vertices().map(|v| index(mesh.outgoing(v))).collect(),
         }
     }
 
-    /// Target and opposite alone: the origin of `prev(h)` is the target of `next(h)`.
-    pub(crate) fn small(&self) -> u64 {
-        self.sweep(prev, |p| self.target[prev(p) as usize])
+    /// Origin and opposite, both read at `prev(h)` alone.
+    pub(crate) fn compact(&self) -> u64 {
+        let is_open = |h: u32| self.opposite[h as usize] == NONE;
+        let turn = |h: u32| {
+            let p = prev(h) as usize;
+            (self.origin[p], self.opposite[p])
+        };
+        self.sweep(is_open, |h| self.origin[next(h) as usize], turn)
     }
 
-    /// With `prev` stored.
-    pub(crate) fn medium(&self) -> u64 {
-        self.sweep(|h| self.prev[h as usize], |p| self.target[self.prev[p as usize] as usize])
+    /// Target and opposite, at three places of the face.
+    pub(crate) fn directed(&self) -> u64 {
+        let is_open = |h: u32| self.opposite[h as usize] == NONE;
+        let turn = |h: u32| (self.target[next(h) as usize], self.opposite[prev(h) as usize]);
+        self.sweep(is_open, |h| self.target[h as usize], turn)
     }
 
-    /// With all stored.
-    pub(crate) fn full(&self) -> u64 {
-        self.sweep(|h| self.prev[h as usize], |p| self.origin[p as usize])
+    /// Target and rotation: no place in a face is worked out but at the ends of an open fan.
+    pub(crate) fn turned(&self) -> u64 {
+        let is_open = |h: u32| self.rotate[next(h) as usize] == NONE;
+        let turn = |h: u32| {
+            let g = self.rotate[h as usize];
+            (self.target[if g == NONE { next(h) } else { g } as usize], g)
+        };
+        self.sweep(is_open, |h| self.target[h as usize], turn)
     }
 
     #[inline(always)]
-    fn sweep(&self, prev: impl Fn(u32) -> u32, origin: impl Fn(u32) -> u32) -> u64 {
+    fn sweep(
+        &self,
+        is_open: impl Fn(u32) -> bool,
+        target: impl Fn(u32) -> u32,
+        turn: impl Fn(u32) -> (u32, u32),
+    ) -> u64 {
         let mut sum = 0;
         for &start in &self.outgoing {
             if start == NONE {
                 continue;
             }
-            if self.opposite[start as usize] == NONE {
-                sum += u64::from(self.target[start as usize]);
+            if is_open(start) {
+                sum += u64::from(target(start));
             }
             let mut h = start;
             loop {
-                let p = prev(h);
-                sum += u64::from(origin(p));
-                h = self.opposite[p as usize];
+                let (v, g) = turn(h);
+                sum += u64::from(v);
+                h = g;
                 if h == NONE || h == start {
                     break;
                 }
             }
         }
         sum
+    }
+}
+
+/// The neighbours of each vertex in one run of memory.
+pub(crate) struct Lists {
+    offsets: Vec<u32>,
+    neighbours: Vec<u32>,
+}
+
+impl Lists {
+    /// The rings of a mesh that is asked through its public methods.
+    pub(crate) fn of<M: onering::Incidence>(mesh: &M) -> Self {
+        use onering::Handle;
+        let (mut offsets, mut neighbours) = (vec![0], Vec::new());
+        for v in mesh.vertices() {
+            neighbours.extend(mesh.one_ring(v).map(|u| u.index() as u32));
+            offsets.push(neighbours.len() as u32);
+        }
+        Self { offsets, neighbours }
+    }
+
+    pub(crate) fn lists(&self) -> u64 {
+        let list = |ends: &[u32]| &self.neighbours[ends[0] as usize..ends[1] as usize];
+        self.offsets.windows(2).map(|ends| list(ends).iter().map(|&u| u64::from(u)).sum::<u64>()).sum()
     }
 }
 

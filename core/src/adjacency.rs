@@ -52,6 +52,14 @@ pub trait Adjacency: Topology {
         self.opposite(self.prev(h))
     }
 
+    /// One step of a counter-clockwise turn: the vertex between `h` and the next half-edge out of the same vertex,
+    /// which is the third of the face of `h`, and that half-edge, as [`rotate_ccw`](Self::rotate_ccw) gives it.
+    #[inline(always)]
+    fn turn(&self, h: Self::HalfEdge) -> (Self::Vertex, Option<Self::HalfEdge>) {
+        let p = self.prev(h);
+        (self.origin(p), self.opposite(p))
+    }
+
     /// The next half-edge out of the same vertex, clockwise; `None` where `opposite` ends the turn.
     #[inline(always)]
     fn rotate_cw(&self, h: Self::HalfEdge) -> Option<Self::HalfEdge> {

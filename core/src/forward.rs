@@ -49,6 +49,7 @@ macro_rules! adjacency_of {
             fn is_boundary(h: $T::HalfEdge) -> bool;
             fn rotate_ccw(h: $T::HalfEdge) -> Option<$T::HalfEdge>;
             fn rotate_cw(h: $T::HalfEdge) -> Option<$T::HalfEdge>;
+            fn turn(h: $T::HalfEdge) -> ($T::Vertex, Option<$T::HalfEdge>);
         }
     };
 }
@@ -59,6 +60,7 @@ macro_rules! incidence_of {
         forward! { $T, $self => $inner;
             fn outgoing(v: $T::Vertex) -> Option<$T::HalfEdge>;
             fn fans(v: $T::Vertex) -> impl Iterator<Item = $T::HalfEdge>;
+            fn has_several_fans(v: $T::Vertex) -> bool;
             fn star(v: $T::Vertex) -> impl Iterator<Item = $T::HalfEdge>;
             fn one_ring(v: $T::Vertex) -> impl Iterator<Item = $T::Vertex>;
             fn neighbours(v: $T::Vertex) -> impl Iterator<Item = $T::Vertex>;

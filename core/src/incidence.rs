@@ -1,7 +1,7 @@
 //! [`Incidence`]: neighbourhoods from a vertex.
 use crate::{
     Adjacency,
-    ring::{self, Either, OneRing, Star},
+    ring::{self, OneOrSeveral, OneRing, Star},
 };
 
 /// Knows where to start around each vertex (Compact Half-Edge level 2, directed edges and up), so that its
@@ -40,6 +40,12 @@ pub trait Incidence: Adjacency {
         self.outgoing(v).into_iter()
     }
 
+    /// Whether `v` has more than one fan, so that its neighbours are not all in [`one_ring`](Self::one_ring).
+    #[inline]
+    fn has_several_fans(&self, v: Self::Vertex) -> bool {
+        self.fans(v).nth(1).is_some()
+    }
+
     /// The half-edges out of `v`, one for each of its faces, fan after fan, counter-clockwise.
     #[inline]
     fn star(&self, v: Self::Vertex) -> impl Iterator<Item = Self::HalfEdge> {
@@ -55,11 +61,11 @@ pub trait Incidence: Adjacency {
     /// All neighbours of `v`, each once. On a manifold, the same as [`one_ring`](Self::one_ring).
     #[inline]
     fn neighbours(&self, v: Self::Vertex) -> impl Iterator<Item = Self::Vertex> {
-        if self.fans(v).nth(1).is_none() {
-            Either::Left(self.one_ring(v))
-        } else {
+        if self.has_several_fans(v) {
             // An edge of three or more faces leads to a neighbour that several fans share.
-            Either::Right(ring::each_neighbour_once(self, v))
+            OneOrSeveral::Several(ring::each_neighbour_once(self, v))
+        } else {
+            OneOrSeveral::One(self.one_ring(v))
         }
     }
 }

@@ -41,16 +41,18 @@ const NONE: u32 = u32::MAX;
 #[test]
 fn two_edges_between_two_vertices() {
     let pillow = [[0, 1, 2], [0, 2, 1]];
-    let open = |words: &mut Words| {
-        let opposite = words.get_mut("opposite").unwrap();
-        (opposite[1], opposite[4]) = (NONE, NONE);
+    // The links across half-edges 1 and 4; of directed edges they are in the cells of the next ones.
+    let open = |words: &mut Words, (column, [i, j]): (&'static str, [usize; 2])| {
+        let links = words.get_mut(column).unwrap();
+        (links[i], links[j]) = (NONE, NONE);
         let outgoing = words.get_mut("outgoing").unwrap();
         (outgoing[1], outgoing[2]) = (1, 4);
     };
     let twice = "two edges lead to the same neighbour";
-    assert!(said::<DirectedEdgesSmall>(3, &pillow, open).contains(twice));
+    let turned = |words: &mut Words| open(words, ("rotate_ccw", [2, 5]));
+    assert!(said::<DirectedEdgesSmall>(3, &pillow, turned).contains(twice));
     let with_list = |words: &mut Words| {
-        open(words);
+        open(words, ("opposite", [1, 4]));
         words.insert("edge_list", vec![0, 1, 2, 4]);
     };
     assert!(said::<CheL2>(3, &pillow, with_list).contains(twice));

@@ -36,6 +36,7 @@ fn turns<T: Adjacency>(case: &Case, mesh: &T, h: T::HalfEdge) {
     let (ccw, cw) = (mesh.rotate_ccw(h), mesh.rotate_cw(h));
     assert_eq!(ccw, mesh.opposite(mesh.prev(h)), "{at}: rotate_ccw");
     assert_eq!(cw, mesh.opposite(h).map(|o| mesh.next(o)), "{at}: rotate_cw");
+    assert_eq!(mesh.turn(h), (mesh.origin(mesh.prev(h)), ccw), "{at}: turn");
     for g in ccw.into_iter().chain(cw) {
         assert_eq!(mesh.origin(g), mesh.origin(h), "{at}: a turn stays at the vertex");
     }

@@ -43,6 +43,7 @@ impl<T: Incidence> Around<'_, T> {
         let starts = all(at, || mesh.fans(v));
         let star = all(at, || mesh.star(v));
         assert_eq!(mesh.outgoing(v), starts.first().copied(), "{at}: outgoing starts the first fan");
+        assert_eq!(mesh.has_several_fans(v), starts.len() > 1, "{at}: has_several_fans");
         assert_eq!(mesh.outgoing(v), star.first().copied(), "{at}: outgoing starts the star");
         let out = self.slow.names(self.slow.out_of(v.index()));
         assert_eq!(star.len(), out.len(), "{at}: star has each face once");

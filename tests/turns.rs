@@ -1,0 +1,65 @@
+//! Turns of tables that own their columns do not check bounds at each step, so what they rely on has to be seen before
+//! there is a table, whoever the columns come from.
+use onering::columns::{Columns, FromColumns, Invalid, Source};
+use onering::storage::{Element, Owned};
+use onering::{CheL1, CheL2, CheL3, DirectedEdgesFull, DirectedEdgesMedium, DirectedEdgesSmall, FromFaces};
+
+/// Columns of words, given as they are, however long they should be.
+struct Words {
+    columns: Vec<(&'static str, Vec<u32>)>,
+    counts: (usize, usize),
+}
+
+impl Words {
+    fn of(mesh: &impl Columns) -> Self {
+        let words = |bytes| bytemuck::pod_collect_to_vec::<u8, u32>(bytes);
+        let columns = mesh.columns().iter().map(|column| (column.name, words(column.bytes))).collect();
+        Self { columns, counts: mesh.counts() }
+    }
+
+    fn column_mut(&mut self, name: &str) -> &mut Vec<u32> {
+        &mut self.columns.iter_mut().find(|column| column.0 == name).expect(name).1
+    }
+}
+
+impl Source<Owned> for Words {
+    fn vertex_count(&self) -> usize {
+        self.counts.0
+    }
+
+    fn face_count(&self) -> usize {
+        self.counts.1
+    }
+
+    fn column<T: Element>(&self, name: &'static str, _: Option<usize>) -> Result<Box<[T]>, Invalid> {
+        let column = self.columns.iter().find(|column| column.0 == name);
+        let (_, words) = column.ok_or(Invalid::Missing { column: name })?;
+        Ok(bytemuck::cast_slice::<u32, T>(words).into())
+    }
+}
+
+fn is_refused<M: FromColumns + FromFaces>(vertices: &str, links: &str) {
+    let mesh = M::from_faces(4, &[[0, 1, 2], [2, 1, 3]]).unwrap();
+    let made = |change: &dyn Fn(&mut Words)| {
+        let mut words = Words::of(&mesh);
+        change(&mut words);
+        M::from_columns::<Owned>(&words)
+    };
+    assert!(made(&|_| ()).is_ok());
+    for cell in 0..6 {
+        assert!(made(&|words| words.column_mut(links)[cell] = 6).is_err(), "{links} {cell}");
+    }
+    for column in [vertices, links] {
+        assert!(made(&|words| words.column_mut(column).truncate(5)).is_err(), "{column} is short");
+    }
+}
+
+#[test]
+fn tables_are_not_made_of_what_turns_would_read_out_of_bounds_by() {
+    is_refused::<CheL1>("origin", "opposite");
+    is_refused::<CheL2>("origin", "opposite");
+    is_refused::<CheL3>("origin", "opposite");
+    is_refused::<DirectedEdgesSmall>("target", "rotate_ccw");
+    is_refused::<DirectedEdgesMedium>("target", "rotate_ccw");
+    is_refused::<DirectedEdgesFull>("target", "rotate_ccw");
+}
