@@ -69,11 +69,24 @@ fn four_rings<M: FromFaces + Neighbours + 'static>(
     all.push(Counted { task: "four-ring", structure, run: Box::new(run) });
 }
 
-/// Vertices renumbered and faces put in another order: by steps that are prime to the counts.
+/// New numbers for all vertices, and all faces in a new order.
 fn shuffled(vertex_count: usize, faces: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    const STEP: usize = 7919;
-    let renumbered = |v: u32| (v as usize * STEP % vertex_count) as u32;
-    (0..faces.len()).map(|f| faces[f * STEP % faces.len()].map(renumbered)).collect()
+    let mut numbers: Vec<u32> = (0..vertex_count as u32).collect();
+    shuffle(&mut numbers);
+    let mut faces: Vec<_> = faces.iter().map(|face| face.map(|v| numbers[v as usize])).collect();
+    shuffle(&mut faces);
+    faces
+}
+
+/// By a fixed seed.
+fn shuffle<T>(things: &mut [T]) {
+    let mut state = 88172645463325252_u64;
+    for i in (1..things.len()).rev() {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        things.swap(i, (state % (i as u64 + 1)) as usize);
+    }
 }
 
 /// How far the traits of a line go says what is counted.
