@@ -8,14 +8,14 @@ mod kernels;
 mod registry;
 
 fn main() {
-    let (vertex_count, faces) = kernels::torus(64, 128);
     if std::env::args().any(|a| a == "all") {
-        for counted in registry::counted(vertex_count, &faces) {
+        for counted in registry::counted() {
             collected(&*counted.run);
             println!("{} {}", counted.task, counted.structure);
         }
         return;
     }
+    let (vertex_count, faces) = kernels::torus(64, 128);
     let kernels = kernels::kernels(vertex_count, &faces);
     let numbers: Vec<usize> = std::env::args().filter_map(|a| a.parse().ok()).collect();
     let [kernel, times] = numbers[..] else {

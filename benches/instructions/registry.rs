@@ -1,4 +1,5 @@
 //! What `check` counts of every backend in the registry: builds, from faces in order and shuffled, and walks.
+use super::kernels::{sweep, torus};
 use onering::{FromFaces, Handle, Incidence, VertexGraph, k_ring::KRing, neighbours::Neighbours};
 use std::hint::black_box;
 
@@ -9,10 +10,12 @@ pub(crate) struct Counted {
     pub(crate) run: Box<dyn Fn() -> u64>,
 }
 
-/// All, on a mesh in order and the same mesh shuffled.
-pub(crate) fn counted(vertex_count: usize, faces: &[[u32; 3]]) -> Vec<Counted> {
-    let (in_order, shuffled) =
-        ((vertex_count, faces.to_vec()), (vertex_count, shuffled(vertex_count, faces)));
+/// All, on a mesh in order and a shuffled one, which is larger: in a small one all numbers are near to each other, and
+/// it is paired as one in order is.
+pub(crate) fn counted() -> Vec<Counted> {
+    let in_order = torus(64, 128);
+    let (vertex_count, faces) = torus(128, 256);
+    let shuffled = (vertex_count, shuffled(vertex_count, &faces));
     let mut all = Vec::new();
     for (structure, add) in BACKENDS {
         add(structure, &in_order, &shuffled, &mut all);
@@ -39,7 +42,7 @@ fn rings<M: FromFaces + Incidence + 'static>(
 ) {
     builds::<M>(structure, in_order, shuffled, all);
     let mesh = M::from_faces(in_order.0, &in_order.1).expect("a manifold");
-    let run = Box::new(move || super::kernels::sweep(&mesh));
+    let run = Box::new(move || sweep(&mesh));
     all.push(Counted { task: "ring", structure, run });
     four_rings::<M>(structure, in_order, all);
 }

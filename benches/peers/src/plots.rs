@@ -107,7 +107,7 @@ fn figure(record: &Record, names: &[&str], title: &str, value: Value, file: &Pat
         chart
             .draw_series(names.iter().copied().enumerate().filter_map(dot))?
             .label(&*table.mesh)
-            .legend(move |at| Circle::new(at, RADIUS, style));
+            .legend(move |(x, y)| Circle::new((x + 12, y), RADIUS, style));
     }
     // Right of the plot, where the margin leaves room.
     let right = chart.plotting_area().dim_in_pixel().0 as i32 + 12;
