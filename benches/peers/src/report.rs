@@ -37,7 +37,7 @@ pub(crate) fn table(table: &Table) -> String {
 }
 
 impl Table {
-    /// A figure as it is shown, and whether more is better: million triangles a second, nanoseconds a vertex,
+    /// A figure as it is shown: million triangles a second, nanoseconds a vertex,
     /// microseconds a 4-ring.
     pub(crate) fn shown(&self, task: &str, seconds: f64) -> f64 {
         match task {
