@@ -45,7 +45,7 @@ struct Args {
     #[arg(long, default_value_t = 60)]
     limit: u64,
     /// Seconds for all runs of a structure on a mesh: slow ones are measured fewer times
-    #[arg(long, default_value_t = 40)]
+    #[arg(long, default_value_t = 20)]
     budget: u64,
     /// Where `stanford_bunny.obj` and `mni152_isosurface_963k.ply` are
     #[arg(long, env = "ONERING_MESHES")]
@@ -140,7 +140,8 @@ fn measure(args: &Args, file: &Path, record: &mut Record) -> Result<(), Box<dyn 
         // The processes need the memory.
         drop(mesh);
         for program in &programs {
-            let hopeless = record.hopeless(&program.name, table.triangles);
+            let hopeless =
+                record.hopeless(&program.name, table.triangles).filter(|reason| effort.is_final(reason));
             let row = measure::row(&mut table, &program.name);
             row.left_out = row.left_out.take().or(hopeless);
         }

@@ -17,9 +17,18 @@ pub(crate) struct Effort {
 }
 
 impl Effort {
+    /// Whether who was left out before stays so: there may be more time now.
+    pub(crate) fn is_final(self, reason: &LeftOut) -> bool {
+        match reason {
+            LeftOut::OverSeconds(seconds) => *seconds >= self.limit.as_secs(),
+            LeftOut::Failed(_) => true,
+        }
+    }
+
     /// Whether this row has all that it gets.
     pub(crate) fn is_done(self, row: &Row) -> bool {
-        row.left_out.is_some() || row.runs.len() >= self.rounds || row.spent() >= self.budget.as_secs_f64()
+        let is_left_out = row.left_out.as_ref().is_some_and(|reason| self.is_final(reason));
+        is_left_out || row.runs.len() >= self.rounds || row.spent() >= self.budget.as_secs_f64()
     }
 }
 
@@ -42,7 +51,10 @@ pub(crate) fn mesh(
             let outcome = program.run(file, effort.limit).and_then(|run| checked(run, expected, table));
             let row = row(table, &program.name);
             match outcome {
-                Ok(run) => row.runs.push(run),
+                Ok(run) => {
+                    row.runs.push(run);
+                    row.left_out = None;
+                }
                 Err(reason) => {
                     eprintln!("{}: {reason}", program.name);
                     row.left_out = Some(reason);

@@ -1,18 +1,34 @@
-//! What `check` counts of every backend in the registry: builds, from faces in order and shuffled, and walks.
-use super::kernels::{sweep, torus};
-use onering::{FromFaces, Handle, Incidence, VertexGraph, k_ring::KRing, neighbours::Neighbours};
+//! What `benches/instructions/check` has callgrind count of every backend in the registry: builds, from faces in order
+//! and shuffled, and a sweep of one-rings. Runs each once and lists them.
+//!
+//! A program of its own: the compiler copies the walk of a ring into its caller where there is one caller, and `count`
+//! looks at just that.
+use onering::{FromFaces, Handle, Incidence, VertexGraph, neighbours::Neighbours};
 use std::hint::black_box;
 
+fn main() {
+    for counted in counted() {
+        collected(&*counted.run);
+        println!("{} {}", counted.task, counted.structure);
+    }
+}
+
+/// Callgrind collects in this function alone, by its name, and writes what it collected whenever it returns.
+#[inline(never)]
+fn collected(run: &dyn Fn() -> u64) {
+    black_box(run());
+}
+
 /// One thing that is counted.
-pub(crate) struct Counted {
-    pub(crate) task: &'static str,
-    pub(crate) structure: &'static str,
-    pub(crate) run: Box<dyn Fn() -> u64>,
+struct Counted {
+    task: &'static str,
+    structure: &'static str,
+    run: Box<dyn Fn() -> u64>,
 }
 
 /// All, on a mesh in order and a shuffled one, which is larger: in a small one all numbers are near to each other, and
 /// it is paired as one in order is.
-pub(crate) fn counted() -> Vec<Counted> {
+fn counted() -> Vec<Counted> {
     let in_order = torus(64, 128);
     let (vertex_count, faces) = torus(128, 256);
     let shuffled = (vertex_count, shuffled(vertex_count, &faces));
@@ -44,7 +60,6 @@ fn rings<M: FromFaces + Incidence + 'static>(
     let mesh = M::from_faces(in_order.0, &in_order.1).expect("a manifold");
     let run = Box::new(move || sweep(&mesh));
     all.push(Counted { task: "ring", structure, run });
-    four_rings::<M>(structure, in_order, all);
 }
 
 fn graph(structure: &'static str, in_order: &Input, shuffled: &Input, all: &mut Vec<Counted>) {
@@ -54,22 +69,22 @@ fn graph(structure: &'static str, in_order: &Input, shuffled: &Input, all: &mut 
     let vertices = 0..in_order.0;
     let run = Box::new(move || vertices.clone().map(&ring).sum());
     all.push(Counted { task: "ring", structure, run });
-    four_rings::<VertexGraph>(structure, in_order, all);
 }
 
-/// The 4-rings of every eighth vertex.
-fn four_rings<M: FromFaces + Neighbours + 'static>(
-    structure: &'static str,
-    (vertex_count, faces): &Input,
-    all: &mut Vec<Counted>,
-) {
-    let mesh = M::from_faces(*vertex_count, faces).expect("a manifold");
-    let vertices = (0..*vertex_count).step_by(8);
-    let run = move || {
-        let mut ring = KRing::new();
-        vertices.clone().map(|v| ring.search(&mesh, Handle::new(v), 4).count(4) as u64).sum()
+/// Sums the index of every neighbour of every vertex.
+fn sweep(mesh: &impl Incidence) -> u64 {
+    mesh.vertices().map(|v| mesh.one_ring(v).map(|u| u.index() as u64).sum::<u64>()).sum()
+}
+
+/// A closed torus of `2 columns rows` triangles in rows.
+fn torus(columns: u32, rows: u32) -> Input {
+    let v = |c: u32, r: u32| (r % rows) * columns + c % columns;
+    let quad = |c, r| {
+        let [a, b, d, e] = [v(c, r), v(c + 1, r), v(c + 1, r + 1), v(c, r + 1)];
+        [[a, b, d], [a, d, e]]
     };
-    all.push(Counted { task: "four-ring", structure, run: Box::new(run) });
+    let faces = (0..rows).flat_map(|r| (0..columns).flat_map(move |c| quad(c, r))).collect();
+    ((columns * rows) as usize, faces)
 }
 
 /// New numbers for all vertices, and all faces in a new order.
