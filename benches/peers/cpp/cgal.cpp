@@ -17,14 +17,12 @@ struct Structure {
         }
     }
 
-    std::optional<uint64_t> sweep() const {
-        uint64_t sum = 0;
-        for (auto v : mesh.vertices()) {
-            auto h = mesh.halfedge(v);
-            if (h == Surface::null_halfedge()) continue;
-            for (auto u : CGAL::vertices_around_target(h, mesh)) sum += mixed(uint32_t(v), uint32_t(u));
-        }
-        return sum;
+    static constexpr bool has_rings = true;
+
+    template <class Visit> void ring(uint32_t v, Visit visit) const {
+        auto h = mesh.halfedge(Surface::Vertex_index(v));
+        if (h == Surface::null_halfedge()) return;
+        for (auto u : CGAL::vertices_around_target(h, mesh)) visit(uint32_t(u));
     }
 };
 

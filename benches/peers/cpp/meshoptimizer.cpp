@@ -11,7 +11,7 @@ struct Structure {
                                              arrays.positions.data()->data(), arrays.positions.size(), 12);
     }
 
-    std::optional<uint64_t> sweep() const { return std::nullopt; }
+    static constexpr bool has_rings = false;
 };
 
 int main(int count, char** arguments) { return measure<Structure>(count, arguments); }

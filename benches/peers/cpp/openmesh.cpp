@@ -14,11 +14,10 @@ struct Structure {
         }
     }
 
-    std::optional<uint64_t> sweep() const {
-        uint64_t sum = 0;
-        for (auto v : mesh.vertices())
-            for (auto u : mesh.vv_range(v)) sum += mixed(uint32_t(v.idx()), uint32_t(u.idx()));
-        return sum;
+    static constexpr bool has_rings = true;
+
+    template <class Visit> void ring(uint32_t v, Visit visit) const {
+        for (auto u : mesh.vv_range(OpenMesh::VertexHandle(int(v)))) visit(uint32_t(u.idx()));
     }
 };
 

@@ -43,6 +43,8 @@ void operator delete[](void* block, size_t, std::align_val_t) noexcept { uncount
 struct Mesh {
     std::vector<std::array<float, 3>> positions;
     std::vector<std::array<uint32_t, 3>> faces;
+    // The vertices whose 4-rings are asked for.
+    std::vector<uint32_t> queries;
     size_t edge_count = 0;
 };
 
@@ -54,19 +56,21 @@ struct Mesh {
 inline Mesh read_mesh(const char* path) {
     FILE* file = fopen(path, "rb");
     if (!file) refuse("the file cannot be opened");
-    uint64_t counts[3];
+    uint64_t counts[4];
     Mesh mesh;
-    if (fread(counts, 8, 3, file) != 3) refuse("the file ends within its counts");
+    if (fread(counts, 8, 4, file) != 4) refuse("the file ends within its counts");
     mesh.positions.resize(counts[0]);
     mesh.faces.resize(counts[1]);
     mesh.edge_count = counts[2];
+    mesh.queries.resize(counts[3]);
     if (fread(mesh.positions.data(), 12, counts[0], file) != counts[0]) refuse("the file ends within its positions");
     if (fread(mesh.faces.data(), 12, counts[1], file) != counts[1]) refuse("the file ends within its faces");
+    if (fread(mesh.queries.data(), 4, counts[3], file) != counts[3]) refuse("the file ends within its queries");
     fclose(file);
     return mesh;
 }
 
-// One neighbour in the sum that does not depend on their order, as `ring_sum` does.
+// One neighbour in a sum that does not depend on the order, as in `mesh.rs`.
 inline uint64_t mixed(uint32_t v, uint32_t u) { return (uint64_t(v) * 0x9E3779B97F4A7C15) ^ u; }
 
 // Processor time of all threads.
@@ -76,41 +80,77 @@ inline double seconds() {
     return double(time.tv_sec) + double(time.tv_nsec) * 1e-9;
 }
 
-struct Run {
-    double build_seconds;
-    double sweep_seconds;
-    std::optional<uint64_t> checksum;
-    size_t live_bytes;
-    size_t peak_bytes;
-};
+// A structure that can be walked calls `visit` with every neighbour of a vertex: `ring(vertex, visit)`.
 
-template <class Structure> Run once(const Mesh& mesh) {
-    size_t before = heap.live;
-    heap.peak = before;
-    double start = seconds();
-    Structure structure(mesh);
-    double built = seconds();
-    size_t live = heap.live - before, peak = heap.peak - before;
-    std::optional<uint64_t> first = structure.sweep();
-    double warm = seconds();
-    std::optional<uint64_t> checksum = structure.sweep();
-    double swept = seconds();
-    if (first != checksum) refuse("two sweeps found different rings");
-    return {built - start, swept - warm, checksum, live, peak};
+// The one-rings of all vertices, as one sum.
+template <class Structure> uint64_t sweep(const Structure& structure, const Mesh& mesh) {
+    uint64_t sum = 0;
+    for (uint32_t v = 0; v < uint32_t(mesh.positions.size()); v++)
+        structure.ring(v, [&](uint32_t u) { sum += mixed(v, u); });
+    return sum;
 }
 
-// Runs longer than a second are not repeated, as in `peer/mod.rs`.
+// The vertices within four edges of each query, as one sum, level by level as in `peer/walk.rs`.
+template <class Structure> uint64_t four_rings(const Structure& structure, const Mesh& mesh) {
+    std::vector<uint32_t> stamps(mesh.positions.size()), reached;
+    uint64_t sum = 0;
+    uint32_t search = 0;
+    for (uint32_t query : mesh.queries) {
+        stamps[query] = ++search;
+        reached.assign(1, query);
+        size_t begin = 0;
+        for (int level = 0; level < 4; level++) {
+            size_t end = reached.size();
+            for (size_t i = begin; i < end; i++)
+                structure.ring(reached[i], [&](uint32_t u) {
+                    if (stamps[u] == search) return;
+                    stamps[u] = search;
+                    reached.push_back(u);
+                });
+            begin = end;
+        }
+        for (size_t i = 1; i < reached.size(); i++) sum += mixed(query, reached[i]);
+    }
+    return sum;
+}
+
+// Tasks longer than this many seconds are not repeated, as in `peer/mod.rs`.
+constexpr double is_long = 1.0;
+
+// The second of two times, or the first where it was long, as a task of the answer.
+template <class Work> void print_task(const char* task, Work work) {
+    double start = seconds();
+    uint64_t answer = work();
+    double time = seconds() - start;
+    if (time <= is_long) {
+        start = seconds();
+        if (work() != answer) refuse("two sweeps found different rings");
+        time = seconds() - start;
+    }
+    printf(",{\"task\":\"%s\",\"seconds\":%.9g,\"answer\":%llu}", task, time, (unsigned long long)answer);
+}
+
 template <class Structure> int measure(int count, char** arguments) {
     if (count != 2) refuse("usage: PROGRAM MESH");
     Mesh mesh = read_mesh(arguments[1]);
-    Run run = once<Structure>(mesh);
-    if (run.build_seconds + run.sweep_seconds <= 1.0) run = once<Structure>(mesh);
-    printf("{\"build_seconds\":%.9g,", run.build_seconds);
-    if (run.checksum) {
-        printf("\"sweep_seconds\":%.9g,\"checksum\":%llu,", run.sweep_seconds, (unsigned long long)*run.checksum);
-    } else {
-        printf("\"sweep_seconds\":null,\"checksum\":null,");
+    std::optional<Structure> structure;
+    double time = 0;
+    size_t live = 0, peak = 0;
+    for (int i = 0; i < 2 && time <= is_long; i++) {
+        structure.reset();
+        size_t before = heap.live;
+        heap.peak = before;
+        double start = seconds();
+        structure.emplace(mesh);
+        time = seconds() - start;
+        live = heap.live - before;
+        peak = heap.peak - before;
     }
-    printf("\"live_bytes\":%zu,\"peak_bytes\":%zu}\n", run.live_bytes, run.peak_bytes);
+    printf("{\"tasks\":[{\"task\":\"build\",\"seconds\":%.9g,\"answer\":null}", time);
+    if constexpr (Structure::has_rings) {
+        print_task("ring", [&] { return sweep(*structure, mesh); });
+        print_task("four_ring", [&] { return four_rings(*structure, mesh); });
+    }
+    printf("],\"live_bytes\":%zu,\"peak_bytes\":%zu}\n", live, peak);
     return 0;
 }

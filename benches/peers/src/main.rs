@@ -1,22 +1,29 @@
 //! How fast onering builds and walks meshes, and in how much memory, beside other libraries in one run.
 //!
-//! Every structure is built from the same arrays, and the one-rings of all its vertices are walked; the answers are
-//! compared with what a sort of all edges says. Each run is a process of its own. The README of the repository has the
-//! command; `cpp/install.sh` and `cpp/build.sh` add the libraries in C++.
+//! Every structure is built from the same arrays, the one-rings of all its vertices are walked and 4-rings searched; the
+//! answers are compared with what a sort of all edges says. Each run is a process of its own. docs/performance.md has
+//! the command; `cpp/install.sh` and `cpp/build.sh` add the libraries in C++.
 
+mod expected;
 #[path = "../../../cli/src/heap.rs"]
 mod heap;
+mod machine;
 mod measure;
 mod mesh;
 mod meshes;
 mod peer;
+mod plots;
 mod process;
 mod programs;
+mod record;
 mod report;
 
 use clap::Parser;
+use measure::Effort;
+use record::{Record, Table};
 use std::error::Error;
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 #[global_allocator]
@@ -27,25 +34,34 @@ static HEAP: heap::Counting = heap::Counting;
 struct Args {
     /// Only these meshes, such as `ico-1.3M,ico-1.3M-shuffled`; all where none is named
     #[arg(long, value_delimiter = ',')]
-    mesh: Vec<String>,
+    meshes: Vec<String>,
     /// Only structures whose name contains one of these, such as `onering,lox`
     #[arg(long, value_delimiter = ',')]
-    only: Vec<String>,
+    peers: Vec<String>,
     /// Rounds in which every structure is measured once; medians are shown
     #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..))]
     runs: u16,
-    /// Seconds that a structure may take for a run
-    #[arg(long, default_value_t = 120)]
+    /// Seconds that a structure may take for one run; beyond, it is left out on this mesh and on larger ones
+    #[arg(long, default_value_t = 60)]
     limit: u64,
+    /// Seconds for all runs of a structure on a mesh: slow ones are measured fewer times
+    #[arg(long, default_value_t = 20)]
+    budget: u64,
     /// Where `stanford_bunny.obj` and `mni152_isosurface_963k.ply` are
     #[arg(long, env = "ONERING_MESHES")]
     folder: Option<PathBuf>,
     /// Where the meshes go from process to process, and are removed at the end
     #[arg(long, default_value_os_t = std::env::temp_dir())]
     temporary: PathBuf,
-    /// Print JSON instead of tables
+    /// Keep what is measured in this file: what it has is not measured again
     #[arg(long)]
-    json: bool,
+    json: Option<PathBuf>,
+    /// Write all that the file of JSON has as tables in Markdown, instead of printing what was measured
+    #[arg(long)]
+    table: Option<PathBuf>,
+    /// Draw all that the file of JSON has into this folder
+    #[arg(long)]
+    plots: Option<PathBuf>,
     /// Tiny meshes, once, and an error where a structure fails
     #[arg(long)]
     test: bool,
@@ -66,39 +82,47 @@ fn main() -> Result<(), Box<dyn Error>> {
             "compiled for any processor: set RUSTFLAGS=\"-C target-cpu=native\", as the C++ programs are"
         );
     }
-    let programs = programs::all(&args.only);
+    let machine = machine::describe();
+    let mut record = match &args.json {
+        Some(file) => Record::read(file, &machine)?,
+        None => Record { machine, meshes: Vec::new() },
+    };
     let file = args.temporary.join(format!("onering-bench-peers-{}", std::process::id()));
-    let tables = tables(&args, &programs, &file);
-    let _ = std::fs::remove_file(&file);
-    let tables = tables?;
-    if args.json {
-        println!("{}", serde_json::to_string_pretty(&tables)?);
+    let measured = measure(&args, &file, &mut record);
+    let _ = fs::remove_file(&file);
+    measured?;
+    if let Some(file) = &args.table {
+        fs::write(file, report::markdown(&record))?;
+    }
+    if let Some(folder) = &args.plots {
+        fs::create_dir_all(folder)?;
+        plots::draw(&record, folder)?;
     }
     let failed: Vec<_> =
-        tables.iter().flat_map(|table| &table.rows).filter(|row| row.medians().is_none()).collect();
+        record.meshes.iter().flat_map(|table| &table.rows).filter(|row| row.left_out.is_some()).collect();
     if args.test && !failed.is_empty() {
         return Err(format!("{} runs failed: {failed:?}", failed.len()).into());
     }
     Ok(())
 }
 
-fn tables(
-    args: &Args,
-    programs: &[process::Program],
-    file: &std::path::Path,
-) -> Result<Vec<report::Table>, Box<dyn Error>> {
-    let named = if args.test { meshes::TINY } else { meshes::MESHES };
-    let unknown = args.mesh.iter().find(|name| named.iter().all(|mesh| mesh.name != *name));
-    if let Some(unknown) = unknown {
-        let names: Vec<_> = named.iter().map(|mesh| mesh.name).collect();
-        return Err(format!("no mesh {unknown}: there are {}", names.join(", ")).into());
-    }
-    let rounds = if args.test { 1 } else { args.runs.into() };
-    let mut tables = Vec::new();
-    for named in
-        named.iter().filter(|named| args.mesh.is_empty() || args.mesh.iter().any(|name| name == named.name))
-    {
-        let (mesh, rings) = match named.make(args.folder.as_deref()) {
+/// Adds to the record what it lacks of what was asked for.
+fn measure(args: &Args, file: &Path, record: &mut Record) -> Result<(), Box<dyn Error>> {
+    let programs = programs::all(&args.peers);
+    let effort = Effort {
+        rounds: if args.test { 1 } else { args.runs.into() },
+        limit: Duration::from_secs(args.limit),
+        budget: Duration::from_secs(args.budget),
+    };
+    for named in meshes::asked(&args.meshes, args.test)? {
+        let before = record.table(named.name);
+        let is_done = |program: &process::Program| {
+            before.and_then(|table| table.row(&program.name)).is_some_and(|row| effort.is_done(row))
+        };
+        if programs.iter().all(is_done) {
+            continue;
+        }
+        let (mesh, expected) = match named.make(args.folder.as_deref()) {
             Ok(made) => made,
             Err(reason) => {
                 eprintln!("{}: left out: {reason}", named.name);
@@ -106,15 +130,28 @@ fn tables(
             }
         };
         mesh.write(file)?;
-        let (triangles, vertices) = (mesh.faces.len(), mesh.positions.len());
+        let mut table = before.cloned().unwrap_or_else(|| Table {
+            mesh: named.name.into(),
+            triangles: mesh.faces.len(),
+            vertices: mesh.positions.len(),
+            four_rings: mesh.queries.len(),
+            rows: Vec::new(),
+        });
         // The processes need the memory.
         drop(mesh);
-        let rows = measure::mesh(programs, file, &rings, rounds, Duration::from_secs(args.limit));
-        let table = report::Table { mesh: named.name, triangles, vertices, rows };
-        if !args.json {
-            print!("{}", table.markdown());
+        for program in &programs {
+            let hopeless =
+                record.hopeless(&program.name, table.triangles).filter(|reason| effort.is_final(reason));
+            let row = measure::row(&mut table, &program.name);
+            row.left_out = row.left_out.take().or(hopeless);
         }
-        tables.push(table);
+        measure::mesh(&programs, file, &expected, effort, &mut table, |table| {
+            record.put(table);
+            args.json.as_ref().map_or(Ok(()), |file| record.write(file))
+        })?;
+        if args.table.is_none() {
+            print!("{}", report::table(&table));
+        }
     }
-    Ok(tables)
+    Ok(())
 }

@@ -1,100 +1,84 @@
 //! One mesh, all structures: in each round every one after the other, so that what else runs on the machine meets all.
 
-use crate::mesh::Rings;
-use crate::peer::Run;
+use crate::expected::Expected;
 use crate::process::Program;
-use serde::Serialize;
+use crate::record::{LeftOut, Row, Run, Table};
 use std::path::Path;
 use std::time::Duration;
 
-/// One structure on one mesh.
-#[derive(Debug, Serialize)]
-pub(crate) struct Row {
-    pub(crate) peer: String,
-    /// Medians; or why there are none.
-    #[serde(flatten)]
-    pub(crate) outcome: Outcome,
+/// How long a structure is measured on one mesh.
+#[derive(Clone, Copy)]
+pub(crate) struct Effort {
+    pub(crate) rounds: usize,
+    /// For one process; one that takes longer is left out.
+    pub(crate) limit: Duration,
+    /// For all rounds: whoever has taken so long is not asked again.
+    pub(crate) budget: Duration,
 }
 
-/// What came of it.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum Outcome {
-    Medians(Medians),
-    Refused(String),
-}
-
-/// The medians of all rounds.
-#[derive(Debug, Serialize)]
-pub(crate) struct Medians {
-    pub(crate) build_seconds: f64,
-    pub(crate) sweep_seconds: Option<f64>,
-    pub(crate) live_bytes: usize,
-    pub(crate) peak_bytes: usize,
-    /// The answers that they are made of.
-    pub(crate) rounds: Vec<Run>,
-}
-
-impl Row {
-    pub(crate) fn medians(&self) -> Option<&Medians> {
-        match &self.outcome {
-            Outcome::Medians(medians) => Some(medians),
-            Outcome::Refused(_) => None,
+impl Effort {
+    /// Whether who was left out before stays so: there may be more time now.
+    pub(crate) fn is_final(self, reason: &LeftOut) -> bool {
+        match reason {
+            LeftOut::OverSeconds(seconds) => *seconds >= self.limit.as_secs(),
+            LeftOut::Failed(_) => true,
         }
+    }
+
+    /// Whether this row has all that it gets.
+    pub(crate) fn is_done(self, row: &Row) -> bool {
+        let is_left_out = row.left_out.as_ref().is_some_and(|reason| self.is_final(reason));
+        is_left_out || row.runs.len() >= self.rounds || row.spent() >= self.budget.as_secs_f64()
     }
 }
 
-/// Every structure on the mesh in the file `mesh`, whose rings are `expected`. One that fails is not asked again.
+/// Adds to the table what it lacks, from the mesh in `file`; `save` comes after every round. A structure that fails is
+/// not asked again.
 pub(crate) fn mesh(
     programs: &[Program],
-    mesh: &Path,
-    expected: &Rings,
-    rounds: usize,
-    limit: Duration,
-) -> Vec<Row> {
-    let mut answers: Vec<Result<Vec<Run>, String>> = programs.iter().map(|_| Ok(Vec::new())).collect();
-    for _ in 0..rounds {
-        for (program, answer) in programs.iter().zip(&mut answers) {
-            let Ok(runs) = answer else { continue };
-            match program.run(mesh, limit).and_then(|run| checked(run, expected)) {
-                Ok(run) => runs.push(run),
-                Err(reason) => *answer = Err(reason),
+    file: &Path,
+    expected: &Expected,
+    effort: Effort,
+    table: &mut Table,
+    mut save: impl FnMut(&Table) -> std::io::Result<()>,
+) -> std::io::Result<()> {
+    for round in 0..effort.rounds {
+        for program in programs {
+            let before = row(table, &program.name);
+            if effort.is_done(before) || before.runs.len() > round {
+                continue;
+            }
+            let outcome = program.run(file, effort.limit).and_then(|run| checked(run, expected, table));
+            let row = row(table, &program.name);
+            match outcome {
+                Ok(run) => {
+                    row.runs.push(run);
+                    row.left_out = None;
+                }
+                Err(reason) => {
+                    eprintln!("{}: {reason}", program.name);
+                    row.left_out = Some(reason);
+                }
             }
         }
+        save(table)?;
     }
-    let row = |(program, answer): (&Program, Result<Vec<Run>, String>)| Row {
-        peer: program.name.clone(),
-        outcome: match answer.map(Medians::of) {
-            Ok(Some(medians)) => Outcome::Medians(medians),
-            Ok(None) => Outcome::Refused("not asked".into()),
-            Err(reason) => Outcome::Refused(reason),
-        },
-    };
-    programs.iter().zip(answers).map(row).collect()
+    Ok(())
 }
 
-fn checked(run: Run, expected: &Rings) -> Result<Run, String> {
-    match run.checksum {
-        Some(checksum) if checksum != expected.checksum => Err("its rings are not those of the faces".into()),
-        _ => Ok(run),
-    }
+/// The row of a structure, at the end where there is none yet.
+pub(crate) fn row<'a>(table: &'a mut Table, peer: &str) -> &'a mut Row {
+    let at = table.rows.iter().position(|row| row.peer == peer).unwrap_or_else(|| {
+        table.rows.push(Row { peer: peer.into(), runs: Vec::new(), left_out: None });
+        table.rows.len() - 1
+    });
+    &mut table.rows[at]
 }
 
-impl Medians {
-    fn of(rounds: Vec<Run>) -> Option<Self> {
-        let last = *rounds.last()?;
-        let sweeps: Option<Vec<f64>> = rounds.iter().map(|run| run.sweep_seconds).collect();
-        Some(Self {
-            build_seconds: median(rounds.iter().map(|run| run.build_seconds).collect()),
-            sweep_seconds: sweeps.map(median),
-            live_bytes: last.live_bytes,
-            peak_bytes: last.peak_bytes,
-            rounds,
-        })
+fn checked(run: Run, expected: &Expected, table: &Table) -> Result<Run, LeftOut> {
+    let run = expected.check(run).map_err(LeftOut::Failed)?;
+    match table.contradicts(&run) {
+        Some(peer) => Err(LeftOut::Failed(format!("it contradicts {peer}"))),
+        None => Ok(run),
     }
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }

@@ -1,6 +1,7 @@
 //! The meshes that all are measured on. A new one is a line here.
 
-use crate::mesh::{Mesh, Rings};
+use crate::expected::Expected;
+use crate::mesh::Mesh;
 use onering::{CheL1, FromFaces, Map, VertexId, subdivision};
 use std::error::Error;
 use std::path::Path;
@@ -29,7 +30,7 @@ const fn named(name: &'static str, source: Source, is_shuffled: bool) -> Named {
     Named { name, source, is_shuffled }
 }
 
-pub(crate) const MESHES: &[Named] = &[
+const MESHES: &[Named] = &[
     named("stanford_bunny", Source::File("stanford_bunny.obj"), false),
     named("ico-82k", Source::Icosphere(6), false),
     named("ico-82k-shuffled", Source::Icosphere(6), true),
@@ -43,16 +44,26 @@ pub(crate) const MESHES: &[Named] = &[
 ];
 
 /// For seconds, not for figures.
-pub(crate) const TINY: &[Named] = &[
+const TINY: &[Named] = &[
     named("ico-320", Source::Icosphere(2), false),
     named("ico-320-shuffled", Source::Icosphere(2), true),
     named("grid-450", Source::Grid(16), false),
     named("grid-450-shuffled", Source::Grid(16), true),
 ];
 
+/// Those of these names, or all.
+pub(crate) fn asked(names: &[String], tiny: bool) -> Result<impl Iterator<Item = &'static Named>, String> {
+    let all = if tiny { TINY } else { MESHES };
+    if let Some(unknown) = names.iter().find(|name| all.iter().all(|mesh| mesh.name != **name)) {
+        let known: Vec<_> = all.iter().map(|mesh| mesh.name).collect();
+        return Err(format!("no mesh {unknown}: there are {}", known.join(", ")));
+    }
+    Ok(all.iter().filter(|mesh| names.is_empty() || names.iter().any(|name| name == mesh.name)))
+}
+
 impl Named {
-    /// The mesh and what its rings are; the reason where a file is not there.
-    pub(crate) fn make(&self, folder: Option<&Path>) -> Outcome<(Mesh, Rings)> {
+    /// The mesh and what is to be found in it; the reason where a file is not there.
+    pub(crate) fn make(&self, folder: Option<&Path>) -> Outcome<(Mesh, Expected)> {
         let (mut positions, mut faces) = match self.source {
             Source::Icosphere(levels) => icosphere(levels)?,
             Source::Grid(side) => grid(side),
@@ -65,8 +76,9 @@ impl Named {
         if self.is_shuffled {
             shuffle_mesh(&mut positions, &mut faces);
         }
-        let rings = Rings::of(&faces);
-        Ok((Mesh { positions, faces, edge_count: rings.edge_count }, rings))
+        let queries = queries(positions.len());
+        let expected = Expected::of(positions.len(), &faces, &queries);
+        Ok((Mesh { positions, faces, queries, edge_count: expected.edge_count }, expected))
     }
 }
 
@@ -123,13 +135,31 @@ fn shuffle_mesh(positions: &mut Vec<[f32; 3]>, faces: &mut [[u32; 3]]) {
     shuffle(faces);
 }
 
-/// By a fixed seed: the same on every machine.
 fn shuffle<T>(things: &mut [T]) {
-    let mut state = 88172645463325252_u64;
+    let mut random = Random::new();
     for i in (1..things.len()).rev() {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        things.swap(i, (state % (i as u64 + 1)) as usize);
+        things.swap(i, random.below(i + 1));
+    }
+}
+
+/// The vertices whose 4-rings are asked for: so many that they do not stay in the cache.
+fn queries(vertex_count: usize) -> Vec<u32> {
+    let mut random = Random::new();
+    (0..vertex_count.min(10_000)).map(|_| random.below(vertex_count) as u32).collect()
+}
+
+/// Marsaglia's xorshift by a fixed seed: the same on every machine.
+struct Random(u64);
+
+impl Random {
+    fn new() -> Self {
+        Self(88172645463325252)
+    }
+
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % limit as u64) as usize
     }
 }

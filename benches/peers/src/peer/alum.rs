@@ -1,7 +1,7 @@
 //! alum: its half-edge mesh with everything reserved exactly, as OpenMesh, which it follows.
 
-use super::Structure;
-use crate::mesh::{Mesh as Arrays, ring_sum};
+use super::{Structure, walk::Walk};
+use crate::mesh::Mesh as Arrays;
 use alum::{Handle, HasIterators, HasTopology, PolyMeshF32, VH, Vec3};
 
 pub(super) struct Mesh(PolyMeshF32);
@@ -20,9 +20,22 @@ impl Structure for Mesh {
         }
         Ok(Self(mesh))
     }
+}
 
-    fn sweep(&self) -> Option<u64> {
-        let ring = |v: VH| ring_sum(v.index(), self.0.vv_ccw_iter(v).map(|u| u.index()));
-        Some(self.0.vertices().map(ring).fold(0, u64::wrapping_add))
+impl Walk for Mesh {
+    type Vertex = VH;
+
+    fn vertices(&self) -> impl Iterator<Item = VH> {
+        self.0.vertices()
+    }
+
+    #[inline(always)]
+    fn index(v: VH) -> u32 {
+        v.index()
+    }
+
+    #[inline(always)]
+    fn ring(&self, v: VH, visit: impl FnMut(VH)) {
+        self.0.vv_ccw_iter(v).for_each(visit);
     }
 }

@@ -1,7 +1,7 @@
 //! baby_shark: its corner table through the builder, which is told the counts.
 
-use super::Structure;
-use crate::mesh::{Mesh as Arrays, ring_sum};
+use super::{Structure, walk::Walk};
+use crate::mesh::Mesh as Arrays;
 use baby_shark::io::{Builder, IndexedBuilder};
 use baby_shark::mesh::corner_table::{CornerTableF, VertexId};
 use std::hash::{Hash, Hasher};
@@ -25,12 +25,6 @@ impl Hasher for Index {
     }
 }
 
-fn index(v: VertexId) -> u32 {
-    let mut index = Index(0);
-    v.hash(&mut index);
-    index.0
-}
-
 impl Structure for Mesh {
     type Input<'a> = &'a Arrays;
 
@@ -41,16 +35,24 @@ impl Structure for Mesh {
         builder.add_faces(faces).map_err(|error| format!("{error:?}"))?;
         builder.finish().map(Self).map_err(|error| format!("{error:?}"))
     }
+}
 
-    fn sweep(&self) -> Option<u64> {
-        let ring = |v| {
-            let mut sum = 0_u64;
-            let number = index(v);
-            self.0.vertices_around_vertex(v, |u| {
-                sum = sum.wrapping_add(ring_sum(number, [index(u)].into_iter()));
-            });
-            sum
-        };
-        Some(self.0.vertices().map(ring).fold(0, u64::wrapping_add))
+impl Walk for Mesh {
+    type Vertex = VertexId;
+
+    fn vertices(&self) -> impl Iterator<Item = VertexId> {
+        self.0.vertices()
+    }
+
+    #[inline(always)]
+    fn index(v: VertexId) -> u32 {
+        let mut index = Index(0);
+        v.hash(&mut index);
+        index.0
+    }
+
+    #[inline(always)]
+    fn ring(&self, v: VertexId, visit: impl FnMut(VertexId)) {
+        self.0.vertices_around_vertex(v, visit);
     }
 }

@@ -1,7 +1,7 @@
 //! halfedge: built by its one function for triangles, walked by its iterator that does not allocate.
 
-use super::Structure;
-use crate::mesh::{Mesh as Arrays, ring_sum};
+use super::{Structure, walk::Walk};
+use crate::mesh::Mesh as Arrays;
 use halfedge::traversal::VertexAdjacentVertsLazy;
 use halfedge::{MeshStorage, VertexId, build_mesh_from_vertices_and_faces};
 use slotmap::Key;
@@ -20,11 +20,6 @@ impl<'a> From<&'a Arrays> for Input<'a> {
     }
 }
 
-/// Slots are counted from one, and stand in the lower half.
-fn index(v: VertexId) -> u32 {
-    (v.data().as_ffi() as u32).wrapping_sub(1)
-}
-
 impl Structure for Mesh {
     type Input<'a> = Input<'a>;
 
@@ -33,9 +28,23 @@ impl Structure for Mesh {
             .map(Self)
             .map_err(|error| format!("{error:?}"))
     }
+}
 
-    fn sweep(&self) -> Option<u64> {
-        let ring = |v| ring_sum(index(v), VertexAdjacentVertsLazy::new(&self.0, v).map(index));
-        Some(self.0.vertex_ids().map(ring).fold(0, u64::wrapping_add))
+impl Walk for Mesh {
+    type Vertex = VertexId;
+
+    fn vertices(&self) -> impl Iterator<Item = VertexId> {
+        self.0.vertex_ids()
+    }
+
+    /// Slots are counted from one, and stand in the lower half.
+    #[inline(always)]
+    fn index(v: VertexId) -> u32 {
+        (v.data().as_ffi() as u32).wrapping_sub(1)
+    }
+
+    #[inline(always)]
+    fn ring(&self, v: VertexId, visit: impl FnMut(VertexId)) {
+        VertexAdjacentVertsLazy::new(&self.0, v).for_each(visit);
     }
 }

@@ -1,8 +1,8 @@
 //! lox: vertices and faces are reserved and added one by one, the only way that there is. Its configurations are those
 //! for triangles, with what they store by default.
 
-use super::Structure;
-use crate::mesh::{Mesh, ring_sum};
+use super::{Structure, walk::Walk};
+use crate::mesh::Mesh;
 use lox::VertexHandle;
 use lox::prelude::{Empty, FullAdj, Handle, MeshMut};
 
@@ -33,21 +33,30 @@ impl<M: Empty + MeshMut> Structure for NoRings<M> {
     fn build(mesh: &Mesh) -> Result<Self, String> {
         Ok(Self(build(mesh)))
     }
-
-    fn sweep(&self) -> Option<u64> {
-        None
-    }
 }
 
-impl<M: Empty + MeshMut + FullAdj> Structure for Rings<M> {
+impl<M: Empty + MeshMut> Structure for Rings<M> {
     type Input<'a> = &'a Mesh;
 
     fn build(mesh: &Mesh) -> Result<Self, String> {
         Ok(Self(build(mesh)))
     }
+}
 
-    fn sweep(&self) -> Option<u64> {
-        let ring = |v: VertexHandle| ring_sum(v.idx(), self.0.vertices_around_vertex(v).map(|u| u.idx()));
-        Some(self.0.vertex_handles().map(ring).fold(0, u64::wrapping_add))
+impl<M: Empty + MeshMut + FullAdj> Walk for Rings<M> {
+    type Vertex = VertexHandle;
+
+    fn vertices(&self) -> impl Iterator<Item = VertexHandle> {
+        self.0.vertex_handles()
+    }
+
+    #[inline(always)]
+    fn index(v: VertexHandle) -> u32 {
+        v.idx()
+    }
+
+    #[inline(always)]
+    fn ring(&self, v: VertexHandle, visit: impl FnMut(VertexHandle)) {
+        self.0.vertices_around_vertex(v).for_each(visit);
     }
 }

@@ -4,6 +4,7 @@
 mod alum;
 #[cfg(feature = "baby_shark")]
 mod baby_shark;
+mod floor;
 #[cfg(feature = "halfedge")]
 mod halfedge;
 #[cfg(feature = "lox")]
@@ -11,14 +12,17 @@ mod lox;
 mod onering;
 #[cfg(feature = "parry3d")]
 mod parry;
+mod phases;
 #[cfg(feature = "tri-mesh")]
 mod tri_mesh;
+mod walk;
 
 use crate::heap;
 use crate::mesh::Mesh;
+use crate::record::{BUILD, FOUR_RING, RING, Run, Task};
 use rustix::time::{ClockId, clock_gettime};
-use serde::{Deserialize, Serialize};
 use std::hint::black_box;
+use walk::Walk;
 
 /// A library's structure, as far as it is compared.
 trait Structure: Sized {
@@ -27,19 +31,6 @@ trait Structure: Sized {
 
     /// The structure, or why the library refuses.
     fn build(input: Self::Input<'_>) -> Result<Self, String>;
-
-    /// The sum of [`ring_sum`](crate::mesh::ring_sum) over all vertices, where rings can be walked.
-    fn sweep(&self) -> Option<u64>;
-}
-
-/// What one process tells of one structure.
-#[derive(Clone, Copy, Debug, Deserialize, Serialize)]
-pub(crate) struct Run {
-    pub(crate) build_seconds: f64,
-    pub(crate) sweep_seconds: Option<f64>,
-    pub(crate) checksum: Option<u64>,
-    pub(crate) live_bytes: usize,
-    pub(crate) peak_bytes: usize,
 }
 
 /// A structure by name.
@@ -48,59 +39,89 @@ pub(crate) struct Peer {
     pub(crate) run: fn(&Mesh) -> Result<Run, String>,
 }
 
-const fn peer<S: Structure>(name: &'static str) -> Peer {
+/// All that are compiled in: onering's registry, then the others, then the phases of a build.
+pub(crate) fn peers() -> impl Iterator<Item = &'static Peer> {
+    onering::BACKENDS.iter().chain(OTHERS).chain(phases::PHASES)
+}
+
+#[cfg(feature = "lox")]
+const fn built<S: Structure>(name: &'static str) -> Peer {
     Peer { name, run: run::<S> }
 }
 
-/// All that are compiled in: onering's registry, then the others.
-pub(crate) fn peers() -> impl Iterator<Item = &'static Peer> {
-    onering::BACKENDS.iter().chain(OTHERS)
+#[allow(dead_code, reason = "without the features there is none")]
+const fn walked<S: Walk>(name: &'static str) -> Peer {
+    Peer { name, run: run_and_walk::<S> }
 }
 
 const OTHERS: &[Peer] = &[
     #[cfg(feature = "lox")]
-    peer::<lox::NoRings<lox::SharedVertexMesh>>("lox shared vertex"),
+    built::<lox::NoRings<lox::SharedVertexMesh>>("lox shared vertex"),
     #[cfg(feature = "lox")]
-    peer::<lox::Rings<lox::DirectedEdgeMesh>>("lox directed edge"),
+    walked::<lox::Rings<lox::DirectedEdgeMesh>>("lox directed edge"),
     #[cfg(feature = "lox")]
-    peer::<lox::Rings<lox::HalfEdgeMesh<lox::TriConfig>>>("lox half-edge"),
+    walked::<lox::Rings<lox::HalfEdgeMesh<lox::TriConfig>>>("lox half-edge"),
     #[cfg(feature = "alum")]
-    peer::<alum::Mesh>("alum"),
+    walked::<alum::Mesh>("alum"),
     #[cfg(feature = "parry3d")]
-    peer::<parry::Topology>("parry3d topology"),
+    walked::<parry::Topology>("parry3d topology"),
     #[cfg(feature = "tri-mesh")]
-    peer::<tri_mesh::Mesh>("tri-mesh"),
+    walked::<tri_mesh::Mesh>("tri-mesh"),
     #[cfg(feature = "baby_shark")]
-    peer::<baby_shark::Mesh>("baby_shark"),
+    walked::<baby_shark::Mesh>("baby_shark"),
     #[cfg(feature = "halfedge")]
-    peer::<halfedge::Mesh>("halfedge"),
+    walked::<halfedge::Mesh>("halfedge"),
 ];
 
-/// Runs longer than this are not repeated: cold caches and page tables are lost in them.
+/// Tasks longer than this are not repeated: cold caches and page tables are lost in them.
 const LONG: f64 = 1.0;
 
+/// Builds twice, and times the second where the first was not long.
 fn run<S: Structure>(mesh: &Mesh) -> Result<Run, String> {
-    let first = once::<S>(mesh)?;
-    if first.build_seconds + first.sweep_seconds.unwrap_or(0.0) > LONG { Ok(first) } else { once::<S>(mesh) }
+    build::<S>(mesh).map(|(_, run)| run)
 }
 
-fn once<S: Structure>(mesh: &Mesh) -> Result<Run, String> {
-    let input: S::Input<'_> = mesh.into();
-    let start = seconds();
-    let (built, growth) = heap::growth(|| S::build(input));
-    let build_seconds = seconds() - start;
-    let structure = black_box(built?);
-    let first = structure.sweep();
-    let start = seconds();
-    let checksum = black_box(&structure).sweep();
-    let sweep_seconds = checksum.map(|_| seconds() - start);
-    if checksum != first {
-        return Err("two sweeps found different rings".into());
+/// The same, then walks what was built.
+fn run_and_walk<S: Walk>(mesh: &Mesh) -> Result<Run, String> {
+    let (structure, mut run) = build::<S>(mesh)?;
+    let structure = black_box(structure);
+    run.tasks.push(warm(RING, || structure.sweep()));
+    let vertices = structure.by_index(mesh.positions.len());
+    run.tasks.push(warm(FOUR_RING, || structure.four_rings(&vertices, &mesh.queries)));
+    Ok(run)
+}
+
+fn build<S: Structure>(mesh: &Mesh) -> Result<(S, Run), String> {
+    let (structure, first) = build_once::<S>(mesh)?;
+    if first.seconds(BUILD).is_some_and(|seconds| seconds > LONG) {
+        return Ok((structure, first));
     }
-    Ok(Run { build_seconds, sweep_seconds, checksum, live_bytes: growth.kept, peak_bytes: growth.peak })
+    drop(structure);
+    build_once(mesh)
+}
+
+fn build_once<S: Structure>(mesh: &Mesh) -> Result<(S, Run), String> {
+    let input: S::Input<'_> = mesh.into();
+    let ((built, seconds), growth) = heap::growth(|| timed(|| S::build(input)));
+    let task = Task { task: BUILD.into(), seconds, answer: None };
+    let run = Run { tasks: vec![task], live_bytes: growth.kept, peak_bytes: growth.peak, elapsed: 0.0 };
+    Ok((black_box(built?), run))
+}
+
+/// The second of two times, or the first where it was long.
+fn warm(task: &str, run: impl Fn() -> u64) -> Task {
+    let (answer, first) = timed(&run);
+    let seconds = if first > LONG { first } else { timed(&run).1 };
+    Task { task: task.into(), seconds, answer: Some(answer) }
 }
 
 /// Processor time of all threads of this process: others on the machine disturb it less than the clock.
+fn timed<T>(run: impl FnOnce() -> T) -> (T, f64) {
+    let start = seconds();
+    let result = black_box(run());
+    (result, seconds() - start)
+}
+
 fn seconds() -> f64 {
     let time = clock_gettime(ClockId::ProcessCPUTime);
     time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9

@@ -1,7 +1,10 @@
 //! onering, all backends of its registry, with the pairing that is the default.
 
-use super::{Peer, Run, Structure, run};
-use crate::mesh::{Mesh, ring_sum};
+use super::walk::{LEVELS, Walk};
+use super::{Peer, Structure, run, run_and_walk};
+use crate::mesh::{Mesh, mixed};
+use crate::record::Run;
+use onering::k_ring::KRing;
 use onering::{FromFaces, Handle, Incidence, VertexGraph, neighbours::Neighbours};
 
 /// A backend that has no rings to walk.
@@ -15,28 +18,56 @@ fn build<M: FromFaces>(mesh: &Mesh) -> Result<M, String> {
     M::from_faces(mesh.positions.len(), &mesh.faces).map_err(|error| error.to_string())
 }
 
+fn index(v: impl Handle) -> u32 {
+    v.index() as u32
+}
+
+fn four_rings<G: Neighbours>(graph: &G, queries: &[u32]) -> u64 {
+    let mut ring = KRing::new();
+    let mut sum = 0_u64;
+    for &query in queries {
+        for &u in ring.search(graph, Handle::new(query as usize), LEVELS).within(LEVELS) {
+            sum = sum.wrapping_add(mixed(query, index(u)));
+        }
+    }
+    sum
+}
+
 impl<M: FromFaces> Structure for NoRings<M> {
     type Input<'a> = &'a Mesh;
 
     fn build(mesh: &Mesh) -> Result<Self, String> {
         build(mesh).map(Self)
     }
-
-    fn sweep(&self) -> Option<u64> {
-        None
-    }
 }
 
-impl<M: FromFaces + Incidence> Structure for Rings<M> {
+impl<M: FromFaces> Structure for Rings<M> {
     type Input<'a> = &'a Mesh;
 
     fn build(mesh: &Mesh) -> Result<Self, String> {
         build(mesh).map(Self)
     }
+}
 
-    fn sweep(&self) -> Option<u64> {
-        let ring = |v| ring_sum(u32_of(v), self.0.one_ring(v).map(u32_of));
-        Some(self.0.vertices().map(ring).fold(0, u64::wrapping_add))
+impl<M: FromFaces + Incidence> Walk for Rings<M> {
+    type Vertex = M::Vertex;
+
+    fn vertices(&self) -> impl Iterator<Item = M::Vertex> {
+        self.0.vertices()
+    }
+
+    #[inline(always)]
+    fn index(v: M::Vertex) -> u32 {
+        index(v)
+    }
+
+    #[inline(always)]
+    fn ring(&self, v: M::Vertex, visit: impl FnMut(M::Vertex)) {
+        self.0.one_ring(v).for_each(visit);
+    }
+
+    fn four_rings(&self, _: &[Option<M::Vertex>], queries: &[u32]) -> u64 {
+        four_rings(&self.0, queries)
     }
 }
 
@@ -46,22 +77,34 @@ impl Structure for Graph {
     fn build(mesh: &Mesh) -> Result<Self, String> {
         build(mesh).map(Self)
     }
-
-    fn sweep(&self) -> Option<u64> {
-        let ring = |v| ring_sum(u32_of(v), Neighbours::neighbours(&self.0, v).map(u32_of));
-        Some((0..self.0.vertex_count()).map(Handle::new).map(ring).fold(0, u64::wrapping_add))
-    }
 }
 
-#[inline(always)]
-fn u32_of(v: impl Handle) -> u32 {
-    v.index() as u32
+impl Walk for Graph {
+    type Vertex = <VertexGraph as Neighbours>::Node;
+
+    fn vertices(&self) -> impl Iterator<Item = Self::Vertex> {
+        (0..self.0.vertex_count()).map(Handle::new)
+    }
+
+    #[inline(always)]
+    fn index(v: Self::Vertex) -> u32 {
+        index(v)
+    }
+
+    #[inline(always)]
+    fn ring(&self, v: Self::Vertex, visit: impl FnMut(Self::Vertex)) {
+        Neighbours::neighbours(&self.0, v).for_each(visit);
+    }
+
+    fn four_rings(&self, _: &[Option<Self::Vertex>], queries: &[u32]) -> u64 {
+        four_rings(&self.0, queries)
+    }
 }
 
 /// One line of the registry: how far its traits go says whether it has rings.
 macro_rules! wrapped {
     ([graph] $mesh:ty) => {
-        run::<Graph>
+        run_and_walk::<Graph>
     };
     ([topology] $mesh:ty) => {
         run::<NoRings<$mesh>>
@@ -70,7 +113,7 @@ macro_rules! wrapped {
         run::<NoRings<$mesh>>
     };
     ([topology adjacency incidence $($more:ident)*] $mesh:ty) => {
-        run::<Rings<$mesh>>
+        run_and_walk::<Rings<$mesh>>
     };
 }
 

@@ -1,11 +1,12 @@
 //! parry3d: the half-edge topology of its triangle mesh alone. The mesh itself, with its tree of boxes, is there before;
 //! the topology has no iterators, so that its links are walked by hand.
 
-use super::Structure;
-use crate::mesh::{Mesh, ring_sum};
+use super::{Structure, walk::Walk};
+use crate::mesh::Mesh;
 use parry3d::math::Vector;
 use parry3d::shape::{TriMesh, TriMeshFlags, TriMeshTopology};
 
+/// Whoever is built has a topology, but it can only be asked for as an option.
 pub(super) struct Topology(TriMesh);
 
 pub(super) struct Input(Result<TriMesh, String>);
@@ -23,13 +24,27 @@ impl Structure for Topology {
     fn build(input: Input) -> Result<Self, String> {
         let mut mesh = input.0?;
         mesh.set_flags(TriMeshFlags::HALF_EDGE_TOPOLOGY).map_err(|error| error.to_string())?;
+        mesh.topology().ok_or("there is no topology")?;
         Ok(Self(mesh))
     }
+}
 
-    fn sweep(&self) -> Option<u64> {
-        let topology = self.0.topology()?;
-        let ring = |v| ring_sum(v, Ring::of(topology, v));
-        Some((0..topology.vertices.len() as u32).map(ring).fold(0, u64::wrapping_add))
+impl Walk for Topology {
+    type Vertex = u32;
+
+    fn vertices(&self) -> impl Iterator<Item = u32> {
+        0..self.0.vertices().len() as u32
+    }
+
+    #[inline(always)]
+    fn index(v: u32) -> u32 {
+        v
+    }
+
+    #[inline(always)]
+    fn ring(&self, v: u32, visit: impl FnMut(u32)) {
+        let topology = self.0.topology().expect("found by `build`");
+        Ring::of(topology, v).for_each(visit);
     }
 }
 

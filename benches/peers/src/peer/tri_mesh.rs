@@ -1,9 +1,10 @@
 //! tri-mesh: built from the mesh type of three-d-asset, the only way that there is.
 
-use super::Structure;
-use crate::mesh::{Mesh as Arrays, ring_sum};
+use super::{Structure, walk::Walk};
+use crate::mesh::Mesh as Arrays;
 use three_d_asset::prelude::vec3;
 use three_d_asset::{Indices, Positions, TriMesh};
+use tri_mesh::VertexID;
 
 pub(super) struct Mesh(tri_mesh::Mesh);
 
@@ -26,12 +27,23 @@ impl Structure for Mesh {
     fn build(input: Input) -> Result<Self, String> {
         Ok(Self(tri_mesh::Mesh::new(&input.0)))
     }
+}
 
-    fn sweep(&self) -> Option<u64> {
+impl Walk for Mesh {
+    type Vertex = VertexID;
+
+    fn vertices(&self) -> impl Iterator<Item = VertexID> {
+        self.0.vertex_iter()
+    }
+
+    #[inline(always)]
+    fn index(v: VertexID) -> u32 {
+        *v
+    }
+
+    #[inline(always)]
+    fn ring(&self, v: VertexID, visit: impl FnMut(VertexID)) {
         let target = |h| self.0.walker_from_halfedge(h).vertex_id();
-        let ring = |v: tri_mesh::VertexID| {
-            ring_sum(*v, self.0.vertex_halfedge_iter(v).filter_map(target).map(|u| *u))
-        };
-        Some(self.0.vertex_iter().map(ring).fold(0, u64::wrapping_add))
+        self.0.vertex_halfedge_iter(v).filter_map(target).for_each(visit);
     }
 }
