@@ -27,7 +27,6 @@ pub(crate) use region::Region;
 use crate::output::{self, Status};
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
-use onering::registry::BACKENDS;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process;
@@ -116,12 +115,6 @@ pub(crate) fn command() -> clap::Command {
 fn fail(message: &str) -> ! {
     output::complain(message);
     process::exit(Status::Nothing as i32)
-}
-
-/// The names of all backends.
-fn known_backends() -> String {
-    let names: Vec<&str> = BACKENDS.iter().map(|backend| backend.name).collect();
-    format!("the backends are {}", names.join(", "))
 }
 
 #[cfg(test)]

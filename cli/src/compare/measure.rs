@@ -14,6 +14,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) sample: &'a Sample,
     pub(crate) clock: Clock,
     pub(crate) with_quadratic: bool,
+    /// Only building, as the library does it of its own accord, and the sweep.
+    pub(crate) in_brief: bool,
 }
 
 /// What was measured. `None` is what the backend cannot answer.
@@ -27,6 +29,8 @@ pub(crate) struct Measured {
     pub(crate) told: Option<usize>,
     /// Words in records of vertices.
     pub(crate) vertex_record_words: usize,
+    /// Vertices in faces that have none of their own, where there is such a thing.
+    pub(crate) unmatched: usize,
     /// The strategy that the library takes of its own accord first.
     pub(crate) build: Vec<(Pairing, Timing)>,
     pub(crate) rings: Option<Rings>,
@@ -35,6 +39,8 @@ pub(crate) struct Measured {
     pub(crate) face_queries: Option<Timing>,
     /// Answers by name, to compare.
     pub(crate) answers: Vec<(&'static str, u64)>,
+    /// Where vertices and faces have other numbers: what the list of faces says in those.
+    pub(crate) expected: Option<Vec<(&'static str, u64)>>,
 }
 
 /// A backend of the registry.
@@ -49,7 +55,7 @@ pub(crate) fn backend<M: FromFaces + Footprint>(
     let mut measured = Measured { counted: growth.kept, peak: growth.peak, ..Measured::default() };
     measured.told = Some(mesh.heap_bytes());
     measured.vertex_record_words = kernels.vertex_record_words.map_or(0, |words| words(&mesh));
-    let more = strategies(plan.with_quadratic).filter(|_| kernels.pairs());
+    let more = strategies(plan.with_quadratic).filter(|_| kernels.pairs() && !plan.in_brief);
     for pairing in std::iter::once(Pairing::Auto).chain(more) {
         let is_quadratic = pairing == Pairing::Quadratic;
         let clock = if is_quadratic { plan.clock.of_quadratic() } else { plan.clock };
@@ -93,6 +99,11 @@ impl Measured {
             timing
         };
         self.sweep = kernels.sweep.map(|sweep| timed("sweep", &|| sweep(mesh)));
+        if plan.in_brief {
+            answers.retain(|_| plan.soup.is_clean);
+            self.answers = answers;
+            return;
+        }
         self.vertex_queries =
             kernels.vertex_queries.map(|query| timed("vertex_queries", &|| query(mesh, vertices)));
         self.face_queries = kernels.face_queries.map(|query| timed("face_queries", &|| query(mesh, faces)));
