@@ -10,6 +10,7 @@ mod inspect;
 mod mesh_file;
 mod minima;
 mod query;
+mod recommend;
 mod region;
 
 pub(crate) use compare::Compare;
@@ -22,6 +23,7 @@ pub(crate) use inspect::Inspect;
 pub(crate) use mesh_file::{MeshFile, Structure};
 pub(crate) use minima::Minima;
 pub(crate) use query::{GRAPH, Query};
+pub(crate) use recommend::Recommend;
 pub(crate) use region::Region;
 
 use crate::output::{self, Status};
@@ -53,6 +55,7 @@ pub(crate) enum Command {
     Inspect(Inspect),
     Convert(Convert),
     Compare(Compare),
+    Recommend(Recommend),
     Query(Query),
     Minima(Minima),
     Region(Region),
@@ -101,7 +104,7 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Deform(deform) => deform.check(),
         Command::Contours(of) => of.mesh.spare(&[("--lines", &of.lines), ("--svg", &of.svg)]),
         Command::Minima(of) => of.mesh.spare(&[("--points", &of.points), ("--svg", &of.svg)]),
-        Command::Completions(_) | Command::Man(_) => {}
+        Command::Recommend(_) | Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))
 }

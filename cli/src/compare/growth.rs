@@ -1,6 +1,6 @@
 //! Time against size: the same sphere, cut finer and finer.
 
-use super::measure::Plan;
+use super::measure::{Depth, Plan};
 use super::record::{Grown, Growth, InOrder};
 use super::row::per_vertex;
 use super::sample::{Sample, Soup};
@@ -30,7 +30,7 @@ pub(super) fn measured(options: &args::Compare, chosen: &[usize]) -> Growth {
         let made = default_mesh::sphere(level);
         let soup = Soup { vertex_count: made.positions.len(), faces: made.faces, is_clean: true };
         let sample = Sample::of(&soup, options.seed);
-        let plan = Plan { soup: &soup, sample: &sample, clock, with_quadratic: false, in_brief: true };
+        let plan = Plan { soup: &soup, sample: &sample, clock, depth: Depth::Sweep };
         for (line, &place) in growth.backends.iter_mut().zip(chosen) {
             line.points.extend((SUBJECTS[place].measure)(&plan).ok().map(|measured| {
                 let sweep = measured.sweep.map(|timing| per_vertex(timing, &soup));

@@ -1,20 +1,21 @@
 //! `onering compare`: every backend on every mesh.
 
-mod case;
+pub(crate) mod case;
 mod deform;
 mod growth;
 mod html;
 mod kernels;
-mod measure;
+pub(crate) mod measure;
 mod open;
 mod orders;
+pub(crate) mod question;
 mod record;
 mod reference;
 mod renumbered;
 mod report;
 mod rings;
 mod row;
-mod sample;
+pub(crate) mod sample;
 pub(crate) mod subject;
 
 use crate::args;

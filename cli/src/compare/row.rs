@@ -1,10 +1,10 @@
 //! Measures one mesh, backend after backend, and compares their answers.
 
 use super::case::{Case, Ready};
-use super::measure::{Measured, Plan};
+use super::measure::{Depth, Measured, Plan};
 use super::orders::{REORDERED, SHUFFLED};
 use super::record::{Backend, InOrder, Memory, Mesh, Named, Ring, Sweep};
-use super::sample::{Sample, Soup};
+use super::sample::Soup;
 use super::subject::{BASELINE, SUBJECTS, Subject, entries};
 use crate::args;
 use crate::timing::{Clock, Timing};
@@ -93,19 +93,15 @@ impl<'a> Rows<'a> {
 
     fn ask(&self, subject: &Subject, ready: &Ready) -> Result<Measured, BuildError> {
         let with_quadratic = self.case.as_it_is.soup.faces.len() <= self.limit;
-        (subject.measure)(&self.plan(&ready.soup, &ready.sample, with_quadratic))
-    }
-
-    fn plan<'p>(&self, soup: &'p Soup, sample: &'p Sample, with_quadratic: bool) -> Plan<'p> {
-        Plan { soup, sample, clock: self.clock, with_quadratic, in_brief: false }
+        let depth = Depth::All { with_quadratic };
+        (subject.measure)(&Plan { soup: &ready.soup, sample: &ready.sample, clock: self.clock, depth })
     }
 
     /// Builds and sweeps the same triangles in other orders. What is out of order may take very long.
     fn measure_orders(&mut self, subject: &Subject, state: &str, ready: &Ready, row: &mut Backend) {
         for other in &ready.others {
-            let plan = self.plan(&other.soup, &ready.sample, false);
-            let brief = Plan { clock: self.clock.of_quadratic(), in_brief: true, ..plan };
-            match (subject.measure)(&brief) {
+            let (soup, clock) = (&other.soup, self.clock.of_quadratic());
+            match (subject.measure)(&Plan { soup, sample: &ready.sample, clock, depth: Depth::Sweep }) {
                 Ok(measured) => {
                     self.compare(subject.name, &format!("{state}, {}", other.name), &measured);
                     let sweep = measured.sweep.map(|timing| per_vertex(timing, &other.soup));

@@ -10,6 +10,8 @@ use onering::registry::{BACKENDS, Entry, RENUMBERING};
 pub(crate) struct Subject {
     /// Its name in the registry, or of the baseline.
     pub(crate) name: &'static str,
+    /// Its type in the library.
+    pub(crate) type_name: &'static str,
     /// Builds it and asks it everything that it can answer.
     pub(crate) measure: fn(&Plan<'_>) -> Result<Measured, BuildError>,
 }
@@ -20,16 +22,18 @@ macro_rules! subjects {
         pub(crate) const SUBJECTS: &[Subject] = &[
             $(Subject {
                 name: $name,
+                type_name: stringify!($mesh),
                 measure: |plan| measure::backend::<$mesh>(plan, &Kernels::new()$(.$has())*),
             },)+
-            Subject { name: "sot", measure: renumbered::sot },
+            Subject { name: "sot", type_name: "Sot", measure: renumbered::sot },
         ];
     };
 }
 onering::with_backends!(subjects);
 
 /// What the structures are to be better than: the bare list of faces, all of it searched for every answer.
-pub(crate) const BASELINE: Subject = Subject { name: "no data structure", measure: measure::searched };
+pub(crate) const BASELINE: Subject =
+    Subject { name: "no data structure", type_name: "Searched", measure: measure::searched };
 
 /// What the registry says of each of [`SUBJECTS`]: its backends, then the structures that renumber.
 pub(crate) fn entries() -> impl Iterator<Item = &'static Entry> {

@@ -6,8 +6,8 @@ use std::ops::Range;
 /// Numbers along an edge of a plot. Both kinds are one type, so that a plot of any two is one type.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Axis {
-    /// From 0 up to this.
-    Linear(f64),
+    /// From the first to the second.
+    Linear(f64, f64),
     /// From the first to the second, both above 0.
     Logarithmic(f64, f64),
     /// So many rows, from the top down, the middle of each at a whole number from 0.
@@ -17,7 +17,7 @@ pub(super) enum Axis {
 impl Axis {
     /// From 0 to beyond all of these.
     pub(super) fn from_zero(values: impl Iterator<Item = f64>) -> Self {
-        Self::Linear(values.fold(1.0, f64::max) * 1.08)
+        Self::Linear(0.0, values.fold(1.0, f64::max) * 1.08)
     }
 
     /// Around all of these, with some room at both ends.
@@ -30,7 +30,7 @@ impl Axis {
     /// Where this is, from 0 to 1.
     fn share(self, value: f64) -> f64 {
         match self {
-            Self::Linear(most) => value / most,
+            Self::Linear(least, most) => (value - least) / (most - least),
             Self::Logarithmic(least, most) => (value / least).ln() / (most / least).ln(),
             Self::Rows(count) => (count as f64 - 0.5 - value) / count as f64,
         }
@@ -38,11 +38,11 @@ impl Axis {
 
     fn ticks(self) -> Vec<f64> {
         match self {
-            Self::Linear(most) => {
+            Self::Linear(least, most) => {
                 let step =
                     [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0].into_iter().find(|step| most / step <= 9.0);
                 let step = step.unwrap_or(most / 5.0);
-                (0..10).map(|i| f64::from(i) * step).filter(|tick| *tick <= most).collect()
+                (0..10).map(|i| f64::from(i) * step).filter(|tick| (least..=most).contains(tick)).collect()
             }
             Self::Logarithmic(least, most) => {
                 // Powers of ten alone are enough where there are many of them.
@@ -70,8 +70,7 @@ impl Ranged for Axis {
 
     fn range(&self) -> Range<f64> {
         match *self {
-            Self::Linear(most) => 0.0..most,
-            Self::Logarithmic(least, most) => least..most,
+            Self::Linear(least, most) | Self::Logarithmic(least, most) => least..most,
             Self::Rows(count) => 0.0..count as f64,
         }
     }

@@ -37,7 +37,7 @@ pub(super) fn draw(id: &str, words: [&str; 3], unit: f64, marks: &[String], rows
             for (i, timing) in row.values.iter().enumerate() {
                 let Some(timing) = timing else { continue };
                 let (low, _) = place(timing.min_ns);
-                let high = place(timing.max_ns).0.min(across.end);
+                let high = place(timing.quartile_ns).0.min(across.end);
                 let spread = [(low, middle), (high, middle)];
                 root.draw(&PathElement::new(spread, Tone::of(i).rgb().mix(0.6)))?;
                 mark(root, i, place(timing.median_ns))?;

@@ -124,11 +124,12 @@ pub(super) fn write(area: &Area<'_>, words: &str, (x, y): (i32, i32), at: HPos) 
 pub(super) fn mark(area: &Area<'_>, place: usize, (x, y): (i32, i32)) -> Drawn {
     let (at, colour) = ((x, y), Tone::of(place).rgb());
     match place % 6 {
-        0 => area.draw(&Circle::new(at, 5, colour.filled()))?,
+        // Around another, where both are at one place.
+        0 => area.draw(&Circle::new(at, 7, colour.stroke_width(2)))?,
         1 => area.draw(&TriangleMarker::new(at, 6, colour.filled()))?,
         2 => area.draw(&Cross::new(at, 4, colour.stroke_width(2)))?,
         3 => area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], colour.filled()))?,
-        4 => area.draw(&Circle::new(at, 5, colour.stroke_width(2)))?,
+        4 => area.draw(&Circle::new(at, 5, colour.filled()))?,
         _ => area.draw(&Polygon::new([(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y)], colour.filled()))?,
     }
     Ok(())

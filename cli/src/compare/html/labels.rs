@@ -1,7 +1,7 @@
 //! Where names go so that none lies over another, nor over a point.
 
 /// A box in pixels: its left upper and its right lower corner.
-type Box2 = [f64; 4];
+pub(super) type Box2 = [f64; 4];
 
 const HEIGHT: f64 = 16.0;
 /// Of a letter, in the font and the size of labels; rather too much.
@@ -14,9 +14,16 @@ pub(super) fn width(name: &str) -> f64 {
 }
 
 /// For each named point the left end of its name, at half its height: beside it where there is room, else farther off.
-/// `bounds` is where names may be.
-pub(super) fn beside(points: &[(f64, f64)], names: &[&str], bounds: Box2) -> Vec<(f64, f64)> {
-    let mut taken: Vec<Box2> = points.iter().map(|&(x, y)| around(x, y)).collect();
+/// `bounds` is where names may be, `lines` are
+/// what they should not lie over either.
+pub(super) fn beside(
+    points: &[(f64, f64)],
+    names: &[&str],
+    bounds: Box2,
+    lines: Vec<Box2>,
+) -> Vec<(f64, f64)> {
+    let mut taken = lines;
+    taken.extend(points.iter().map(|&(x, y)| around(x, y)));
     let mut places = Vec::new();
     for (&(x, y), name) in points.iter().zip(names) {
         let width = width(name);
@@ -93,10 +100,11 @@ mod tests {
             (0..9).map(|i| (100.0 + 150.0 * f64::from(i / 3), 200.0 + 3.0 * f64::from(i))).collect();
         let names = ["directed-edges-small"; 9];
         let bounds = [0.0, 0.0, 760.0, 440.0];
-        let places = beside(&points, &names, bounds);
+        let line = [398.0, 0.0, 402.0, 150.0];
+        let places = beside(&points, &names, bounds, vec![line]);
         let boxes: Vec<Box2> = places.iter().map(|&(x, y)| at(x, y, width(names[0]))).collect();
         for (i, label) in boxes.iter().enumerate() {
-            assert!(within(*label, bounds));
+            assert!(within(*label, bounds) && !overlap(*label, line));
             assert!(boxes[..i].iter().all(|other| !overlap(*label, *other)), "{i}");
             assert!(points.iter().all(|&(x, y)| !overlap(*label, around(x, y))), "{i}");
         }

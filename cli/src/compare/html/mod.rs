@@ -37,7 +37,7 @@ pub(super) fn page(run: &Run) -> String {
                 title { (title) }
                 style { (PreEscaped(style)) }
             }
-            body { main { (head(run)) (contents(run)) (sections(run)) } }
+            body { main { (head(run)) (contents(run)) (sections(run)) (notes(run)) } }
         }
     };
     page.into_string() + "\n"
@@ -56,8 +56,6 @@ fn head(run: &Run) -> Markup {
             dd { "seed " (settings.seed) ", " (settings.budget_ms) " ms for each figure, quadratic up to "
                  (grouped(settings.quadratic_up_to_triangles)) " triangles" }
         }
-        @for note in run.notes { p.note { (note) } }
-        p.note { "In the tables each time is a median, and after it the shortest and the longest of the runs." }
         @for unread in &run.unread { p.differ { (unread.error) } }
     }
 }
@@ -68,6 +66,7 @@ fn contents(run: &Run) -> Markup {
             ul {
                 @for (i, mesh) in run.meshes.iter().enumerate() { li { a href=(format!("#mesh-{i}")) { (mesh.name) } } }
                 @if run.growth.is_some() { li { a href="#growth" { "Time against size" } } }
+                li { a href="#notes" { "How to read the figures" } }
             }
         }
     }
@@ -82,6 +81,27 @@ fn sections(run: &Run) -> Markup {
                 @for plot in growth::plots(growth) { (plot.markup()) }
             }
         }
+    }
+}
+
+/// What the figures are.
+fn notes(run: &Run) -> Markup {
+    html! {
+        section #notes {
+            h2 { "How to read the figures" }
+            p {
+                "In the tables each time is a median; after it are the shortest run, and what three of four runs stayed \
+                 within. Lines across the marks of plots are from the one to the other."
+            }
+            @for note in run.notes { p { (prose(note)) } }
+        }
+    }
+}
+
+/// What is between backquotes is code.
+fn prose(words: &str) -> Markup {
+    html! {
+        @for (i, part) in words.split('`').enumerate() { @if i % 2 == 1 { code { (part) } } @else { (part) } }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::axis::Axis;
 use super::figure::{Frame, GRID, INK, Tone, write};
-use super::labels;
+use super::labels::{self, Box2};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 
@@ -52,10 +52,13 @@ pub(super) fn draw(id: &str, words: [&str; 4], points: &[Point<'_>]) -> String {
             let [a, b] = [points[two[0]], points[two[1]]];
             [at(&a, a.y), at(&b, a.y), at(&b, b.y)]
         });
-        root.draw(&PathElement::new(steps.collect::<Vec<_>>(), Tone::of(0).rgb().stroke_width(2)))?;
+        let steps: Vec<(i32, i32)> = steps.collect();
+        let mut lines: Vec<Box2> = steps.windows(2).map(|two| along(two[0], two[1])).collect();
+        root.draw(&PathElement::new(steps, Tone::of(0).rgb().stroke_width(2)))?;
         for (i, point) in points.iter().enumerate() {
             let [low, high] = point.spread.map(|y| at(point, y).1.clamp(up.start, up.end));
             let place = at(point, point.y);
+            lines.push(along((place.0, low), (place.0, high)));
             root.draw(&PathElement::new([(place.0, low), (place.0, high)], GRID.rgb().stroke_width(3)))?;
             let style = Tone::of(0).rgb();
             let style = if front.contains(&i) { style.filled() } else { style.stroke_width(2) };
@@ -68,7 +71,9 @@ pub(super) fn draw(id: &str, words: [&str; 4], points: &[Point<'_>]) -> String {
             .collect();
         let names: Vec<&str> = points.iter().map(|point| point.name).collect();
         let bounds = [across.start, up.start, across.end, up.end].map(f64::from);
-        for ((place, name), label) in places.iter().zip(&names).zip(labels::beside(&places, &names, bounds)) {
+        for ((place, name), label) in
+            places.iter().zip(&names).zip(labels::beside(&places, &names, bounds, lines))
+        {
             let width = labels::width(name);
             // The end of the name that is nearer, and a line to it where it is far.
             let end = (place.0.clamp(label.0, label.0 + width), label.1);
@@ -80,6 +85,13 @@ pub(super) fn draw(id: &str, words: [&str; 4], points: &[Point<'_>]) -> String {
         }
         Ok(())
     })
+}
+
+/// The box of an upright or level line.
+fn along(a: (i32, i32), b: (i32, i32)) -> Box2 {
+    let [left, right] = [a.0.min(b.0), a.0.max(b.0)].map(f64::from);
+    let [top, bottom] = [a.1.min(b.1), a.1.max(b.1)].map(f64::from);
+    [left - 2.0, top - 2.0, right + 2.0, bottom + 2.0]
 }
 
 #[cfg(test)]

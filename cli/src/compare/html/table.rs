@@ -23,12 +23,24 @@ pub(super) struct Table {
 }
 
 impl Table {
+    /// Whether a column has words in it, after the names of rows.
+    fn has_words(&self, column: usize) -> bool {
+        let first = self.rows.first().and_then(|(_, cells)| cells.get(column.checked_sub(1)?));
+        matches!(first, Some(Cell::Words(_)))
+    }
+
     pub(super) fn markup(&self) -> Markup {
         html! {
             div.scroll tabindex="0" role="region" aria-label=(self.caption) {
                 table {
                     caption { (self.caption) }
-                    thead { tr { @for name in &self.header { th scope="col" { (name) } } } }
+                    thead {
+                        tr {
+                            @for (i, name) in self.header.iter().enumerate() {
+                                th.words[self.has_words(i)] scope="col" { (name) }
+                            }
+                        }
+                    }
                     tbody {
                         @for (name, cells) in &self.rows {
                             tr { th scope="row" { (name) } @for cell in cells { (cell.markup()) } }
@@ -47,12 +59,12 @@ impl Cell {
             Self::Number(number) => html! { td { (format!("{number:.2}")) } },
             Self::Time(None, _) => html! { td { "-" } },
             Self::Time(Some(timing), unit) => {
-                let [median, min, max] =
-                    [timing.median_ns, timing.min_ns, timing.max_ns].map(|ns| digits(ns / unit));
+                let [median, min, quartile] =
+                    [timing.median_ns, timing.min_ns, timing.quartile_ns].map(|ns| digits(ns / unit));
                 html! {
                     td {
                         (median)
-                        @if timing.runs == 1 { "*" } @else { " " span.low { (min) "–" (max) } }
+                        @if timing.runs == 1 { "*" } @else { " " span.low { (min) "–" (quartile) } }
                     }
                 }
             }
