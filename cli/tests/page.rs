@@ -41,11 +41,10 @@ fn elements(page: &str) -> Vec<String> {
     reader.config_mut().check_end_names = false;
     let (mut all, mut open) = (Vec::new(), Vec::new());
     loop {
-        let name = |name: &[u8]| String::from_utf8(name.to_vec()).unwrap();
         match reader.read_event().unwrap_or_else(|error| panic!("{error} at {}", reader.error_position())) {
             Event::Start(start) => {
                 start.attributes().for_each(|attribute| drop(attribute.unwrap()));
-                let name = name(start.name().as_ref());
+                let name = start.name().as_ref().to_owned();
                 all.push(name.clone());
                 if name != "meta" {
                     open.push(name);
@@ -53,9 +52,9 @@ fn elements(page: &str) -> Vec<String> {
             }
             Event::Empty(start) => {
                 start.attributes().for_each(|attribute| drop(attribute.unwrap()));
-                all.push(name(start.name().as_ref()));
+                all.push(start.name().as_ref().to_owned());
             }
-            Event::End(end) => assert_eq!(open.pop(), Some(name(end.name().as_ref()))),
+            Event::End(end) => assert_eq!(open.pop(), Some(end.name().as_ref().to_owned())),
             Event::Eof => break,
             _ => {}
         }

@@ -20,7 +20,7 @@ pub(super) fn measured(options: &args::Compare, chosen: &[usize]) -> Growth {
     let clock = Clock { budget: Duration::from_millis(options.budget), gives_up: false }.of_quadratic();
     let line = |&place: &usize| Grown { name: SUBJECTS[place].name, points: Vec::new() };
     let mut growth = Growth {
-        mesh: "sphere (made here)",
+        mesh: "a sphere (made here)",
         triangles: Vec::new(),
         backends: chosen.iter().map(line).collect(),
     };

@@ -1,7 +1,7 @@
 //! The pick, and the table of all candidates.
 
 use super::Size;
-use super::candidate::{Candidate, within};
+use super::candidate::{Candidate, Verdict, within};
 use crate::args;
 use crate::compare::case::Case;
 use crate::compare::sample::Soup;
@@ -61,10 +61,14 @@ impl Report<'_> {
                 format!("{} {} {unit}", question.name(), scaled(Some(timing), by))
             })
             .collect();
+        let is_same = self.candidates.iter().any(|candidate| candidate.verdict == Verdict::Larger);
+        let rank = if is_same { "the smallest within 5 % of the fastest" } else { "the fastest" };
+        let faces =
+            if pick.entry.traits.contains(&"topology") { "" } else { "; it knows neighbours and no faces" };
         let after = if self.repair.is_some() { "after repair (--repair), " } else { "" };
         let bytes = |bytes: Option<u64>| Size(bytes.unwrap_or_default());
         format!(
-            "{after}the fastest of {rivals} that answer and fit{} ({}); keeps {}, needs {} while it is built",
+            "{after}{rank} of {rivals} that answer and fit{} ({}); keeps {}, needs {} while it is built{faces}",
             within(self.options.memory),
             queries.join(", "),
             bytes(pick.kept),
@@ -75,8 +79,13 @@ impl Report<'_> {
     /// The pick first, then those that come into question by their times, then the others.
     fn ordered(&self) -> Vec<&Candidate> {
         let mut all: Vec<(usize, &Candidate)> = self.candidates.iter().enumerate().collect();
-        let rank = |i: usize, candidate: &Candidate| (Some(i) != self.pick, !candidate.is_eligible());
-        all.sort_by_key(|&(i, candidate)| rank(i, candidate));
+        let rank = |&(i, candidate): &(usize, &Candidate)| match candidate.verdict {
+            _ if Some(i) == self.pick => 0.0,
+            Verdict::Larger => 1.0,
+            Verdict::Slower(factor) => factor.max(1.0),
+            _ => f64::INFINITY,
+        };
+        all.sort_by(|a, b| rank(a).total_cmp(&rank(b)));
         all.into_iter().map(|(_, candidate)| candidate).collect()
     }
 

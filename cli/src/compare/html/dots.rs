@@ -1,7 +1,7 @@
 //! A row for each structure, and a mark for each figure of it.
 
 use super::axis::Axis;
-use super::figure::{Frame, Tone, mark, write};
+use super::figure::{Area, Drawn, Frame, Tone, mark, ring, write};
 use crate::timing::Timing;
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
@@ -13,6 +13,11 @@ pub(super) struct Row<'a> {
 }
 
 const ROW: u32 = 24;
+
+/// The first figure is a ring around whichever of the others it is the same as.
+fn symbol(root: &Area<'_>, place: usize, at: (i32, i32)) -> Drawn {
+    if place == 0 { ring(root, place, at) } else { mark(root, place, at) }
+}
 
 /// Names of the axis and its unit in nanoseconds, and what the marks are.
 pub(super) fn draw(id: &str, words: [&str; 3], unit: f64, marks: &[String], rows: &[Row<'_>]) -> String {
@@ -40,7 +45,7 @@ pub(super) fn draw(id: &str, words: [&str; 3], unit: f64, marks: &[String], rows
                 let high = place(timing.quartile_ns).0.min(across.end);
                 let spread = [(low, middle), (high, middle)];
                 root.draw(&PathElement::new(spread, Tone::of(i).rgb().mix(0.6)))?;
-                mark(root, i, place(timing.median_ns))?;
+                symbol(root, i, place(timing.median_ns))?;
             }
         }
         legend(root, marks, (across.start, up.start - 14))
@@ -48,10 +53,10 @@ pub(super) fn draw(id: &str, words: [&str; 3], unit: f64, marks: &[String], rows
 }
 
 /// The marks with their names in one line.
-fn legend(root: &super::figure::Area<'_>, marks: &[String], (left, y): (i32, i32)) -> super::figure::Drawn {
+fn legend(root: &Area<'_>, marks: &[String], (left, y): (i32, i32)) -> Drawn {
     let mut x = left + 6;
     for (i, name) in marks.iter().enumerate() {
-        mark(root, i, (x, y))?;
+        symbol(root, i, (x, y))?;
         write(root, name, (x + 11, y), HPos::Left)?;
         x += 34 + super::labels::width(name) as i32;
     }

@@ -124,14 +124,19 @@ pub(super) fn write(area: &Area<'_>, words: &str, (x, y): (i32, i32), at: HPos) 
 pub(super) fn mark(area: &Area<'_>, place: usize, (x, y): (i32, i32)) -> Drawn {
     let (at, colour) = ((x, y), Tone::of(place).rgb());
     match place % 6 {
-        // Around another, where both are at one place.
-        0 => area.draw(&Circle::new(at, 7, colour.stroke_width(2)))?,
+        0 => area.draw(&Circle::new(at, 5, colour.filled()))?,
         1 => area.draw(&TriangleMarker::new(at, 6, colour.filled()))?,
         2 => area.draw(&Cross::new(at, 4, colour.stroke_width(2)))?,
         3 => area.draw(&Rectangle::new([(x - 4, y - 4), (x + 4, y + 4)], colour.filled()))?,
-        4 => area.draw(&Circle::new(at, 5, colour.filled()))?,
+        4 => area.draw(&Polygon::new([(x - 6, y - 4), (x + 6, y - 4), (x, y + 6)], colour.filled()))?,
         _ => area.draw(&Polygon::new([(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y)], colour.filled()))?,
     }
+    Ok(())
+}
+
+/// A ring, to be seen around another mark where both are at one place.
+pub(super) fn ring(area: &Area<'_>, place: usize, at: (i32, i32)) -> Drawn {
+    area.draw(&Circle::new(at, 8, Tone::of(place).rgb().stroke_width(2)))?;
     Ok(())
 }
 

@@ -4,7 +4,7 @@ use super::axis::Axis;
 use super::figure::grouped;
 use super::mesh::{MILLISECOND, each};
 use super::table::{Cell, Table};
-use super::{Plot, lines};
+use super::{Plot, lines, place};
 use crate::compare::record::{Growth, InOrder};
 use crate::timing::Timing;
 
@@ -27,10 +27,14 @@ fn plot(growth: &Growth, words: [&str; 3], unit: f64, time: impl Fn(&InOrder) ->
     let lines: Vec<lines::Line<'_>> = growth
         .backends
         .iter()
-        .map(|grown| lines::Line { name: grown.name, points: points(&grown.points) })
+        .map(|grown| lines::Line {
+            name: grown.name,
+            place: place(grown.name),
+            points: points(&grown.points),
+        })
         .filter(|line| !line.points.is_empty())
         .collect();
-    let note = format!("Low is better. {}, cut finer and finer.", growth.mesh);
+    let note = format!("Low is better. On {}, cut finer and finer.", growth.mesh);
     let row = |name: &str, points: &[InOrder]| {
         (name.to_owned(), points.iter().map(|point| Cell::Time(time(point), unit)).collect())
     };

@@ -3,7 +3,7 @@
 use super::axis::Axis;
 use super::figure;
 use super::table::{Cell, Table};
-use super::{Plot, dots, lines, scatter};
+use super::{Plot, dots, lines, place, scatter};
 use crate::compare::orders::{GIVEN, REORDERED, SHUFFLED};
 use crate::compare::record::{Backend, Mesh, Sweep};
 use crate::compare::report::{in_orders, in_words};
@@ -30,13 +30,14 @@ pub(super) fn memory(id: &str, mesh: &Mesh) -> Plot {
     let point = |row: &'_ Backend| {
         let (memory, time) = (row.memory.as_ref()?, each(row.sweep.as_ref()?));
         let spread = [time.min_ns, time.quartile_ns];
-        Some((row.name, memory.counted_bytes_per_triangle, time.median_ns, spread))
+        let is_mesh = row.traits.contains(&"topology");
+        Some((row.name, memory.counted_bytes_per_triangle, time.median_ns, spread, is_mesh))
     };
     let points: Vec<scatter::Point<'_>> = mesh
         .backends
         .iter()
         .filter_map(point)
-        .map(|(name, x, y, spread)| scatter::Point { name, x, y, spread })
+        .map(|(name, x, y, spread, is_mesh)| scatter::Point { name, x, y, spread, is_mesh })
         .collect();
     let front: Vec<&str> = scatter::front(&points).into_iter().map(|i| points[i].name).collect();
     let without: Vec<&str> = mesh
@@ -46,7 +47,8 @@ pub(super) fn memory(id: &str, mesh: &Mesh) -> Plot {
         .map(|row| row.name)
         .collect();
     let description = format!(
-        "Left and low is better. On the line, filled: {}. Nothing that was measured beats these in both memory and time.",
+        "Left and low is better. On the line, filled: {}. No structure with faces beats these in both memory and time. A \
+         triangle is a bare graph, which knows neighbours and no faces.",
         front.join(", ")
     );
     let note = if without.is_empty() {
@@ -89,7 +91,7 @@ pub(super) fn build(id: &str, mesh: &Mesh) -> Plot {
     let marks: Vec<dots::Row<'_>> = rows()
         .map(|row| dots::Row { name: row.name, values: row.build.0.iter().map(|&(_, t)| t).collect() })
         .collect();
-    let note = "Left is better. Each line is from the shortest to the longest run. Structures without opposites pair \
+    let note = "Left is better. A ring is what the library takes of its own accord. Structures without opposites pair \
                 nothing, and are built in one way only.";
     let row = |row: &Backend| {
         let times = row.build.0.iter().map(|&(_, timing)| Cell::Time(timing, MILLISECOND));
@@ -116,7 +118,7 @@ pub(super) fn rings(id: &str, mesh: &Mesh) -> Plot {
     // Searching all faces takes so long that all the others would be one line.
     let drawn = rows().filter(|row| row.memory.is_some());
     let all: Vec<lines::Line<'_>> =
-        drawn.map(|row| lines::Line { name: row.name, points: line(row) }).collect();
+        drawn.map(|row| lines::Line { name: row.name, place: place(row.name), points: line(row) }).collect();
     let vertices: Vec<String> = rows()
         .next()
         .map(|row| row.rings.iter().map(|ring| format!("{:.0}", ring.vertices)).collect())

@@ -11,6 +11,7 @@ mod scatter;
 mod table;
 
 use super::record::{Mesh, Named, Run};
+use super::subject::SUBJECTS;
 use figure::grouped;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use table::Table;
@@ -41,6 +42,11 @@ pub(super) fn page(run: &Run) -> String {
         }
     };
     page.into_string() + "\n"
+}
+
+/// The place of a structure among all, for it to look the same in every plot.
+fn place(name: &str) -> usize {
+    SUBJECTS.iter().position(|subject| subject.name == name).unwrap_or(SUBJECTS.len())
 }
 
 fn head(run: &Run) -> Markup {

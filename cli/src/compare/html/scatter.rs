@@ -13,11 +13,13 @@ pub(super) struct Point<'a> {
     pub(super) y: f64,
     /// The least and the largest `y` that were measured.
     pub(super) spread: [f64; 2],
+    /// Whether it can be on the front: what answers less is none of the rivals.
+    pub(super) is_mesh: bool,
 }
 
-/// The places of those points that no other beats in one figure without being worse in the other, by rising `x`.
+/// The places of those meshes that no other beats in one figure without being worse in the other, by rising `x`.
 pub(super) fn front(points: &[Point<'_>]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..points.len()).collect();
+    let mut order: Vec<usize> = (0..points.len()).filter(|&i| points[i].is_mesh).collect();
     order.sort_by(|&a, &b| {
         let [a, b] = [points[a], points[b]];
         a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
@@ -55,14 +57,21 @@ pub(super) fn draw(id: &str, words: [&str; 4], points: &[Point<'_>]) -> String {
         let steps: Vec<(i32, i32)> = steps.collect();
         let mut lines: Vec<Box2> = steps.windows(2).map(|two| along(two[0], two[1])).collect();
         root.draw(&PathElement::new(steps, Tone::of(0).rgb().stroke_width(2)))?;
-        for (i, point) in points.iter().enumerate() {
+        for point in points {
             let [low, high] = point.spread.map(|y| at(point, y).1.clamp(up.start, up.end));
             let place = at(point, point.y);
             lines.push(along((place.0, low), (place.0, high)));
             root.draw(&PathElement::new([(place.0, low), (place.0, high)], GRID.rgb().stroke_width(3)))?;
+        }
+        for (i, point) in points.iter().enumerate() {
+            let place = at(point, point.y);
             let style = Tone::of(0).rgb();
             let style = if front.contains(&i) { style.filled() } else { style.stroke_width(2) };
-            root.draw(&Circle::new(place, 5, style))?;
+            if point.is_mesh {
+                root.draw(&Circle::new(place, 5, style))?;
+            } else {
+                root.draw(&TriangleMarker::new(place, 7, style))?;
+            }
         }
         let places: Vec<(f64, f64)> = points
             .iter()
@@ -100,9 +109,10 @@ mod tests {
 
     #[test]
     fn the_front_is_what_nothing_beats() {
-        let point = |(x, y): (f64, f64)| Point { name: "", x, y, spread: [y, y] };
+        let point = |(x, y): (f64, f64)| Point { name: "", x, y, spread: [y, y], is_mesh: x != 1.0 };
         let points =
-            [(26.0, 3.0), (12.0, 9.0), (62.0, 4.0), (26.0, 5.0), (32.0, 2.0), (14.0, 9.0)].map(point);
+            [(26.0, 3.0), (12.0, 9.0), (62.0, 4.0), (26.0, 5.0), (32.0, 2.0), (14.0, 9.0), (1.0, 1.0)]
+                .map(point);
         assert_eq!(front(&points), [1, 0, 4]);
         assert!(front(&[]).is_empty());
     }
