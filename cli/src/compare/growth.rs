@@ -1,8 +1,8 @@
 //! Time against size: the same sphere, cut finer and finer.
 
+use super::fill::per_vertex;
 use super::measure::{Depth, Plan};
 use super::record::{Grown, Growth, InOrder};
-use super::row::per_vertex;
 use super::sample::{Sample, Soup};
 use super::subject::SUBJECTS;
 use crate::args;

@@ -2,6 +2,7 @@
 
 pub(crate) mod case;
 mod deform;
+mod fill;
 mod growth;
 mod html;
 mod kernels;
@@ -99,7 +100,7 @@ impl<'a> Comparison<'a> {
 
     fn compare(&mut self, name: String, positions: &[[f32; 3]], faces: Vec<[u32; 3]>) -> io::Result<()> {
         if faces.is_empty() {
-            return self.show(row::without_faces(name, positions.len()));
+            return self.show(fill::without_faces(name, positions.len()));
         }
         match Case::of(name.clone(), positions, faces, self.options.seed) {
             Err(error) => {
@@ -169,7 +170,7 @@ fn command() -> String {
 }
 
 /// On standard error, and only where that is a terminal.
-fn progress(steps: usize) -> ProgressBar {
+pub(crate) fn progress(steps: usize) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
     let bar = ProgressBar::new(steps as u64);
     if let Ok(style) = style { bar.with_style(style) } else { bar }

@@ -8,6 +8,7 @@ mod size;
 pub(crate) use size::Size;
 
 use crate::args;
+use crate::compare;
 use crate::compare::case::{Case, Ready};
 use crate::compare::subject::{SUBJECTS, Subject, entries};
 use crate::failure::Failure;
@@ -15,7 +16,6 @@ use crate::input::Input;
 use crate::machine::Machine;
 use crate::made;
 use crate::output::{self, Status};
-use crate::progress::Progress;
 use candidate::{Candidate, Verdict, within};
 use onering::registry::Entry;
 use report::Report;
@@ -57,11 +57,17 @@ fn recommend(options: &args::Recommend) -> Result<(), Failure> {
 }
 
 fn measured(ready: &Ready, options: &args::Recommend) -> Vec<Candidate> {
-    let progress = Progress::start(SUBJECTS.len());
+    // Without a thread that ticks: it would allocate while bytes are counted.
+    let bar = compare::progress(SUBJECTS.len());
     let candidate = |(subject, entry): (&Subject, &'static Entry)| {
-        progress.step(entry.name, || Candidate::of(subject, entry, ready, options))
+        bar.set_message(entry.name);
+        let candidate = Candidate::of(subject, entry, ready, options);
+        bar.inc(1);
+        candidate
     };
-    SUBJECTS.iter().zip(entries()).map(candidate).collect()
+    let candidates = SUBJECTS.iter().zip(entries()).map(candidate).collect();
+    bar.finish_and_clear();
+    candidates
 }
 
 /// No structure can be taken.

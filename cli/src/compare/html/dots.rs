@@ -57,7 +57,7 @@ fn legend(root: &Area<'_>, marks: &[String], (left, y): (i32, i32)) -> Drawn {
     let mut x = left + 6;
     for (i, name) in marks.iter().enumerate() {
         symbol(root, i, (x, y))?;
-        write(root, name, (x + 11, y), HPos::Left)?;
+        write(root, name, (x + 14, y), HPos::Left)?;
         x += 34 + super::labels::width(name) as i32;
     }
     Ok(())
