@@ -310,3 +310,11 @@ fn json_that_cannot_be_written_is_said_before_the_work() {
     let left = std::fs::read_dir(folder).unwrap().count();
     assert_eq!(left, 1, "something was left behind");
 }
+
+/// Deforming works on the numbers of the organ.
+#[test]
+fn what_renumbers_is_not_deformed() {
+    let run = onering(["compare", "--deform", "--backend", "sot"]);
+    assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (Some(2), "", 1), "{run:?}");
+    assert!(run.err.contains("--deform does not measure sot"), "{run:?}");
+}
