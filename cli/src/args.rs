@@ -10,6 +10,7 @@ mod inspect;
 mod mesh_file;
 mod minima;
 mod query;
+mod recommend;
 mod region;
 
 pub(crate) use compare::Compare;
@@ -22,12 +23,12 @@ pub(crate) use inspect::Inspect;
 pub(crate) use mesh_file::{MeshFile, Structure};
 pub(crate) use minima::Minima;
 pub(crate) use query::{GRAPH, Query};
+pub(crate) use recommend::Recommend;
 pub(crate) use region::Region;
 
 use crate::output::{self, Status};
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
-use onering::registry::BACKENDS;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process;
@@ -54,6 +55,7 @@ pub(crate) enum Command {
     Inspect(Inspect),
     Convert(Convert),
     Compare(Compare),
+    Recommend(Recommend),
     Query(Query),
     Minima(Minima),
     Region(Region),
@@ -102,7 +104,7 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Deform(deform) => deform.check(),
         Command::Contours(of) => of.mesh.spare(&[("--lines", &of.lines), ("--svg", &of.svg)]),
         Command::Minima(of) => of.mesh.spare(&[("--points", &of.points), ("--svg", &of.svg)]),
-        Command::Completions(_) | Command::Man(_) => {}
+        Command::Recommend(_) | Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))
 }
@@ -116,12 +118,6 @@ pub(crate) fn command() -> clap::Command {
 fn fail(message: &str) -> ! {
     output::complain(message);
     process::exit(Status::Nothing as i32)
-}
-
-/// The names of all backends.
-fn known_backends() -> String {
-    let names: Vec<&str> = BACKENDS.iter().map(|backend| backend.name).collect();
-    format!("the backends are {}", names.join(", "))
 }
 
 #[cfg(test)]

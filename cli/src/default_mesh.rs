@@ -1,14 +1,14 @@
 //! Meshes to compare on where no file is named: one small enough for what is quadratic, one closed, one with boundary,
-//! so that every part of every structure has something to do. Only their faces: no comparison looks at positions.
+//! so that every part of every structure has something to do. Positions are there to put vertices in order by.
 
 use onering::{CheL1, FromFaces, Map, subdivision};
 use std::collections::HashMap;
 
-/// A mesh without positions.
+/// A mesh and its name.
 #[derive(Clone, Debug)]
 pub(crate) struct Made {
     pub(crate) name: &'static str,
-    pub(crate) vertex_count: usize,
+    pub(crate) positions: Vec<[f32; 3]>,
     pub(crate) faces: Vec<[u32; 3]>,
 }
 
@@ -27,24 +27,39 @@ const ICOSAHEDRON: [[u32; 3]; 20] = [
     [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1],
 ];
 
+/// Its vertices, on three rectangles whose sides are in the golden ratio.
+fn corners() -> Vec<[f32; 3]> {
+    let t = f32::midpoint(1.0, 5.0_f32.sqrt());
+    let on_first = [[-1.0, t, 0.0], [1.0, t, 0.0], [-1.0, -t, 0.0], [1.0, -t, 0.0]];
+    let turned = |turns: usize| {
+        on_first.map(|mut corner| {
+            corner.rotate_right(turns);
+            corner
+        })
+    };
+    [0, 1, 2].map(turned).concat()
+}
+
 /// An icosahedron with each triangle cut into four, `levels` times.
-fn sphere(levels: usize) -> Made {
-    let (mut vertex_count, mut faces) = (12, ICOSAHEDRON.to_vec());
+pub(crate) fn sphere(levels: usize) -> Made {
+    let (mut positions, mut faces) = (corners(), ICOSAHEDRON.to_vec());
     for _ in 0..levels {
-        let mesh = CheL1::from_faces(vertex_count, &faces).expect("a sphere");
-        let finer = subdivision::midpoint(&mesh, &Map::filled(vertex_count, [0.0; 3])).expect("not many");
-        (vertex_count, faces) = (finer.vertex_count, finer.faces);
+        let mesh = CheL1::from_faces(positions.len(), &faces).expect("a sphere");
+        let finer = subdivision::midpoint(&mesh, &Map::from(positions)).expect("not many");
+        (positions, faces) = (finer.positions, finer.faces);
     }
-    Made { name: "sphere (made here)", vertex_count, faces }
+    Made { name: "sphere (made here)", positions, faces }
 }
 
 /// A square of `side` x `side` cells of two triangles, without nine square holes of `hole` x `hole` cells.
 fn terrain(side: usize, hole: usize) -> Made {
     let in_hole = |x: usize| [1, 2, 3].iter().any(|k| (k * side / 4..k * side / 4 + hole).contains(&x));
-    let (mut numbers, mut faces) = (HashMap::new(), Vec::new());
+    let (mut numbers, mut positions, mut faces) = (HashMap::new(), Vec::new(), Vec::new());
     let mut number = |x: usize, y: usize| {
-        let next = numbers.len() as u32;
-        *numbers.entry((x, y)).or_insert(next)
+        *numbers.entry((x, y)).or_insert_with(|| {
+            positions.push([x as f32, y as f32, 0.0]);
+            positions.len() as u32 - 1
+        })
     };
     for y in 0..side {
         for x in (0..side).filter(|&x| !(in_hole(x) && in_hole(y))) {
@@ -52,7 +67,7 @@ fn terrain(side: usize, hole: usize) -> Made {
             faces.extend([[a, b, c], [a, c, d]]);
         }
     }
-    Made { name: "terrain with nine holes (made here)", vertex_count: numbers.len(), faces }
+    Made { name: "terrain with nine holes (made here)", positions, faces }
 }
 
 #[cfg(test)]
@@ -63,8 +78,8 @@ mod tests {
     #[test]
     fn one_is_closed_and_two_have_ten_boundaries() {
         let [small, sphere, terrain] = all();
-        let figures = |made: &Made| Defects::of(made.vertex_count, &made.faces);
-        assert_eq!((sphere.vertex_count, sphere.faces.len()), (40_962, 81_920));
+        let figures = |made: &Made| Defects::of(made.positions.len(), &made.faces);
+        assert_eq!((sphere.positions.len(), sphere.faces.len()), (40_962, 81_920));
         assert_eq!(terrain.faces.len(), 2 * (204 * 204 - 9 * 64));
         assert_eq!(small.faces.len(), 2 * (33 * 33 - 9 * 4));
         let sphere = figures(&sphere);

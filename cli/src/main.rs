@@ -1,5 +1,5 @@
 //! onering at the shell: `inspect` tells what is in a mesh file, `convert` makes another one of it, `compare` measures
-//! the data structures on it, `query` asks one what is around an element, `contours`, `minima` and `region` look for what
+//! the data structures on it, `recommend` says which to take, `query` asks one what is around an element, `contours`, `minima` and `region` look for what
 //! its heights have, `deform` presses it.
 //! Thin over the library: what it prints, the crates `onering` and `onering-io` can be asked for.
 
@@ -25,6 +25,7 @@ mod picture;
 mod progress;
 mod query;
 mod random;
+mod recommend;
 mod region;
 mod shell;
 mod surface;
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
         Some(Command::Inspect(options)) => inspect::run(&options),
         Some(Command::Convert(options)) => convert::run(&options),
         Some(Command::Compare(options)) => compare::run(&options),
+        Some(Command::Recommend(options)) => recommend::run(&options),
         Some(Command::Query(options)) => query::run(&options),
         Some(Command::Contours(options)) => contours::run(&options),
         Some(Command::Minima(options)) => minima::run(&options),

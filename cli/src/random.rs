@@ -10,6 +10,15 @@ impl Random {
         scramble(self.0)
     }
 
+    /// The numbers below `count`, each once, in any order (Fisher and Yates, by Durstenfeld 1964).
+    pub(crate) fn permutation(&mut self, count: usize) -> Vec<usize> {
+        let mut numbers: Vec<usize> = (0..count).collect();
+        for i in (1..count).rev() {
+            numbers.swap(i, self.below(i + 1));
+        }
+        numbers
+    }
+
     /// Below `bound`, by the high part of a product: no bias that could matter here.
     pub(crate) fn below(&mut self, bound: usize) -> usize {
         ((u128::from(self.next()) * bound as u128) >> 64) as usize

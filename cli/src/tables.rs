@@ -30,7 +30,7 @@ pub(crate) fn cell(value: f64, timing: Timing) -> String {
 }
 
 /// Three digits that count.
-fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
     let places = match value {
         v if v >= 99.95 => 0,
         v if v >= 9.995 => 1,

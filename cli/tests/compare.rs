@@ -47,7 +47,8 @@ fn every_backend_on_a_small_mesh() {
     );
     assert_eq!((mesh["random_vertices"].as_array().unwrap().len(), &mesh["repair"]), (30, &Value::Null));
     let names: Vec<&str> = backends(&result, 0).iter().map(|row| row["name"].as_str().unwrap()).collect();
-    let registered = onering::registry::BACKENDS.iter().map(|backend| backend.name);
+    let registered = onering::registry::BACKENDS.iter().chain(onering::registry::RENUMBERING);
+    let registered = registered.map(|backend| backend.name);
     assert_eq!(names, registered.chain(["no data structure"]).collect::<Vec<_>>());
     names.iter().for_each(|name| assert!(run.out.contains(name), "{name}"));
     for row in backends(&result, 0) {
@@ -70,7 +71,12 @@ fn check_row(row: &Value) {
     if name != "no data structure" {
         assert!(row["build"]["auto"]["median_ns"].as_f64().unwrap() > 0.0, "{name}");
         for strategy in ["quadratic", "paper-hash", "hash", "partition", "chain"] {
-            assert_eq!(row["build"][strategy].is_object(), pairs, "{name} {strategy}");
+            // How `sot` is made is not for its user to say.
+            assert_eq!(row["build"][strategy].is_object(), pairs && name != "sot", "{name} {strategy}");
+        }
+        for order in ["shuffled", "reordered"] {
+            assert!(row["orders"][order]["build"]["median_ns"].is_f64(), "{name} {order}");
+            assert_eq!(row["orders"][order]["sweep"]["ns_per_vertex"].is_f64(), walks, "{name} {order}");
         }
     }
     assert_eq!(row["random_face_queries"].is_object(), pairs, "{name}");
@@ -80,6 +86,40 @@ fn check_row(row: &Value) {
         row["rings"].as_array().unwrap().iter().filter_map(|r| r["vertices"].as_f64()).collect();
     // Four neighbours, and beyond them the vertex on the other side.
     assert_eq!(rings, if walks { vec![4.0, 5.0, 5.0, 5.0] } else { vec![] }, "{name}");
+}
+
+/// Two triangles a row, so that consecutive faces have near vertices; shuffled, they have not.
+#[test]
+fn the_report_says_how_auto_pairs_in_which_order() {
+    let rows = 20_000;
+    let vertices = (0..2 * rows).map(|v| format!("v {} {} 0\n", v % 2, v / 2));
+    let faces = (1..rows).map(|row| 2 * row - 1).map(|v| {
+        let [a, b, c, d] = [v, v + 1, v + 3, v + 2];
+        format!("f {a} {b} {c}\nf {a} {c} {d}\n")
+    });
+    let file = scratch("orders", "ladder.obj", &vertices.chain(faces).collect::<String>());
+    let (run, result) = compare("orders", &[&file], &["--backend", "sot", "che-l2"]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    let choices = &result["meshes"][0]["auto_pairing"];
+    let choice = |order: &str| choices[order].as_str().unwrap();
+    assert_eq!(["given", "shuffled", "reordered"].map(choice), ["chain", "partition", "chain"]);
+    let line =
+        "auto on the mesh as it is: chain where given, partition where shuffled, chain where reordered\n";
+    assert!(run.out.contains(line), "{}", run.out);
+    // 12 T, and the two ends of the ladder have corners in one face only.
+    let memory = &backend(&result, 0, "sot")["memory"];
+    assert_eq!(memory["formula_bytes"], memory["counted_bytes"]);
+    assert!(memory["formula_bytes"].as_u64().unwrap() >= 12 * 2 * (rows as u64 - 1));
+    assert!(memory["peak_bytes"].as_u64() > memory["counted_bytes"].as_u64());
+}
+
+#[test]
+fn without_positions_that_are_numbers_there_is_no_reordering() {
+    let file = scratch("nowhere", "square.obj", &SQUARE.replacen("v 0 0 0", "v nan 0 0", 1));
+    let (run, result) = compare("nowhere", &[&file], &["--backend", "che-l2"]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    let orders = &backend(&result, 0, "che-l2")["orders"];
+    assert!(orders["shuffled"].is_object() && orders["reordered"].is_null(), "{orders}");
 }
 
 #[test]
@@ -109,7 +149,7 @@ fn defects_are_held_or_repaired_and_the_report_says_so() {
     assert_eq!(counts.len(), 2, "{}", run.out);
     assert_eq!(counts[0][..4], ["(vertices)", "as", "it", "is"]);
     assert_eq!(counts[1], ["(vertices)", "repaired", "(2)", "(2)", "(2)", "(2)"]);
-    for entry in onering::registry::BACKENDS {
+    for entry in onering::registry::BACKENDS.iter().chain(onering::registry::RENUMBERING) {
         let row = backend(&result, 0, entry.name);
         let holds = entry.holds.contains(&"non_manifold_edge");
         assert_eq!(row["mesh"], if holds { "as it is" } else { "repaired" }, "{}", entry.name);
@@ -269,4 +309,12 @@ fn json_that_cannot_be_written_is_said_before_the_work() {
     }
     let left = std::fs::read_dir(folder).unwrap().count();
     assert_eq!(left, 1, "something was left behind");
+}
+
+/// Deforming works on the numbers of the organ.
+#[test]
+fn what_renumbers_is_not_deformed() {
+    let run = onering(["compare", "--deform", "--backend", "sot"]);
+    assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (Some(2), "", 1), "{run:?}");
+    assert!(run.err.contains("--deform does not measure sot"), "{run:?}");
 }

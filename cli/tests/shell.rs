@@ -7,10 +7,11 @@ use onering_io::Format;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 10] = [
+const COMMANDS: [&str; 11] = [
     "inspect",
     "convert",
     "compare",
+    "recommend",
     "query",
     "minima",
     "region",
@@ -103,7 +104,7 @@ fn a_folder_that_cannot_be_made_is_said() {
 
 #[test]
 fn help_lists_every_format() {
-    for command in ["inspect", "convert", "compare"] {
+    for command in ["inspect", "convert", "compare", "recommend"] {
         let help = onering([command, "--help"]).out;
         for extension in Format::all().flat_map(Format::extensions) {
             assert!(help.contains(&format!(".{extension}")), "{command}: {extension}");

@@ -1,8 +1,9 @@
 //! `onering compare`: what can be said of it.
 
-use super::{Args, Command, EXIT_CODES, fail, formats, known_backends};
+use super::{Args, Command, EXIT_CODES, fail, formats};
+use crate::compare::subject::entries;
 use clap::Parser;
-use onering::registry::BACKENDS;
+use onering::registry::RENUMBERING;
 use onering_io::Format;
 use std::ffi::OsStr;
 use std::fs;
@@ -24,6 +25,10 @@ pub(crate) struct Compare {
     /// Write everything that was measured to this file as JSON; never over a mesh
     #[arg(long, value_name = "FILE")]
     pub(crate) json: Option<PathBuf>,
+    /// Write a page with tables and plots to this file: a single file that needs no network; never over a mesh. For it,
+    /// spheres of growing size are measured as well, for some 300 budgets
+    #[arg(long, value_name = "FILE", conflicts_with = "deform")]
+    pub(crate) html: Option<PathBuf>,
     /// Choose the random vertices and faces
     #[arg(long, value_name = "NUMBER", default_value_t = 2016)]
     pub(crate) seed: u64,
@@ -53,10 +58,10 @@ impl Default for Compare {
 }
 
 impl Compare {
-    /// The backends asked for, as their places in the registry.
+    /// The structures asked for, as their places among all that are measured.
     pub(crate) fn chosen(&self) -> Vec<usize> {
         let asked = |name: &str| self.backends.is_empty() || self.backends.iter().any(|asked| asked == name);
-        (0..BACKENDS.len()).filter(|&i| asked(BACKENDS[i].name)).collect()
+        entries().zip(0..).filter(|(entry, _)| asked(entry.name)).map(|(_, place)| place).collect()
     }
 
     /// Up to how many triangles what takes quadratic time is done.
@@ -67,8 +72,13 @@ impl Compare {
     /// Puts right what the parser could not know, and refuses what makes no sense.
     pub(super) fn check(&mut self) {
         give_back_files(self);
-        check_backends(&self.backends);
-        check_json(self);
+        check_backends(self);
+        for (option, path) in [("--json", &self.json), ("--html", &self.html)] {
+            path.iter().for_each(|path| check_output(self, option, path));
+        }
+        if self.json.is_some() && self.json == self.html {
+            fail("--json and --html cannot be one file");
+        }
     }
 }
 
@@ -85,11 +95,21 @@ fn give_back_files(compare: &mut Compare) {
     compare.files.extend(files.into_iter().map(PathBuf::from));
 }
 
-fn check_backends(names: &[String]) {
-    let unknown = names.iter().find(|name| BACKENDS.iter().all(|backend| backend.name != name.as_str()));
-    if let Some(name) = unknown {
-        fail(&format!("no backend is named '{name}'; {}", known_backends()));
+fn check_backends(compare: &Compare) {
+    for name in &compare.backends {
+        if entries().all(|entry| entry.name != name) {
+            fail(&format!("no backend is named '{name}'; {}", known_backends()));
+        }
+        if compare.deform && RENUMBERING.iter().any(|entry| entry.name == name) {
+            fail(&format!("--deform does not measure {name}, which gives vertices other numbers"));
+        }
     }
+}
+
+/// The names of all backends.
+fn known_backends() -> String {
+    let names: Vec<&str> = entries().map(|entry| entry.name).collect();
+    format!("the backends are {}", names.join(", "))
 }
 
 /// How the names of meshes end that are not read, and of what meshes refer to.
@@ -99,19 +119,18 @@ const OTHER_MESHES: &[&str] = &[
 ];
 
 /// A name that was meant as another mesh to read must not cost that mesh.
-fn check_json(compare: &Compare) {
-    let Some(json) = compare.json.as_deref() else { return };
+fn check_output(compare: &Compare, option: &str, output: &Path) {
     // The same file by another name, or what a link leads to.
     let real = |path: &Path| fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    let target = real(json);
+    let target = real(output);
     let reason = if compare.files.iter().any(|file| real(file) == target) {
         "it is one of the meshes to read"
-    } else if has_name_of_mesh(json) || has_name_of_mesh(&target) {
+    } else if has_name_of_mesh(output) || has_name_of_mesh(&target) {
         "that is the name of a mesh"
     } else {
         return;
     };
-    fail(&format!("--json does not write to '{}': {reason}", json.display()));
+    fail(&format!("{option} does not write to '{}': {reason}", output.display()));
 }
 
 fn has_name_of_mesh(path: &Path) -> bool {

@@ -1,6 +1,7 @@
 //! One mesh to compare on: as it is, and repaired for the backends that cannot hold that.
 
-use super::record;
+use super::orders::{self, InOrder};
+use super::record::{self, Named};
 use super::reference::{self, Sides};
 use super::sample::{Sample, Soup};
 use onering::defects::Defects;
@@ -13,6 +14,8 @@ pub(crate) struct Ready {
     pub(crate) soup: Soup,
     pub(crate) sample: Sample,
     pub(crate) counts: Counts,
+    /// The same triangles in other orders.
+    pub(crate) others: Vec<InOrder>,
     /// What every backend should answer.
     pub(crate) answers: Vec<(&'static str, u64)>,
 }
@@ -30,46 +33,59 @@ impl Case {
     /// `faces` are not empty.
     pub(crate) fn of(
         name: String,
-        vertex_count: usize,
+        positions: &[[f32; 3]],
         faces: Vec<[u32; 3]>,
         seed: u64,
     ) -> Result<Self, RepairError> {
+        let vertex_count = positions.len();
         let defects = Defects::of(vertex_count, &faces);
         let is_clean = defects.is_clean();
         let soup = Soup { vertex_count, faces, is_clean };
-        let repaired = if is_clean { None } else { repaired(&soup, seed)? };
-        let as_it_is = Ready::of(soup, seed);
+        let repaired = if is_clean { None } else { repaired(&soup, positions, seed)? };
+        let as_it_is = Ready::of(soup, positions, seed)?;
         Ok(Self { name, as_it_is, defects: defects.to_string(), repaired })
     }
 }
 
 /// `None` where no face is left.
-fn repaired(soup: &Soup, seed: u64) -> Result<Option<(Ready, record::Repair)>, RepairError> {
+fn repaired(
+    soup: &Soup,
+    positions: &[[f32; 3]],
+    seed: u64,
+) -> Result<Option<(Ready, record::Repair)>, RepairError> {
     let mended = repair(soup.vertex_count, &soup.faces, &RepairOptions::default())?;
     if mended.faces.is_empty() {
         return Ok(None);
     }
     let steps = mended.to_string();
-    let ready =
-        Ready::of(Soup { vertex_count: mended.vertex_count, faces: mended.faces, is_clean: true }, seed);
+    let positions = mended.carry_vertices(positions);
+    let soup = Soup { vertex_count: mended.vertex_count, faces: mended.faces, is_clean: true };
+    let ready = Ready::of(soup, &positions, seed)?;
     let repair = record::Repair {
         steps,
         vertices: ready.soup.vertex_count,
         triangles: ready.soup.faces.len(),
         edges: ready.counts.edges,
+        auto_pairing: ready.choices(),
         random_vertices: ready.sample.starts.clone(),
     };
     Ok(Some((ready, repair)))
 }
 
 impl Ready {
-    fn of(soup: Soup, seed: u64) -> Self {
+    fn of(soup: Soup, positions: &[[f32; 3]], seed: u64) -> Result<Self, RepairError> {
         let sides = Sides::of(&soup.faces);
-        Self {
+        Ok(Self {
             sample: Sample::of(&soup, seed),
             counts: reference::counts(&soup, &sides),
             answers: sides.answers(&soup.faces),
+            others: orders::of(&soup, positions, seed)?,
             soup,
-        }
+        })
+    }
+
+    /// How half-edges are paired where nobody chooses, by order.
+    pub(crate) fn choices(&self) -> Named<String> {
+        Named(orders::choices(&self.soup, &self.others))
     }
 }

@@ -1,6 +1,7 @@
 //! Builds one backend, takes the time of its answers, and keeps the answers.
 
 use super::kernels::Kernels;
+use super::question::Question;
 use super::rings::Rings;
 use super::sample::{Sample, Soup, strategies};
 use crate::heap;
@@ -13,7 +14,18 @@ pub(crate) struct Plan<'a> {
     pub(crate) soup: &'a Soup,
     pub(crate) sample: &'a Sample,
     pub(crate) clock: Clock,
-    pub(crate) with_quadratic: bool,
+    pub(crate) depth: Depth<'a>,
+}
+
+/// How much to measure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Depth<'a> {
+    /// All, building by the quadratic search only if this says so.
+    All { with_quadratic: bool },
+    /// Building as the library does it of its own accord, and the sweep.
+    Sweep,
+    /// Building as the library does it of its own accord, and these.
+    Only(&'a [Question]),
 }
 
 /// What was measured. `None` is what the backend cannot answer.
@@ -27,14 +39,20 @@ pub(crate) struct Measured {
     pub(crate) told: Option<usize>,
     /// Words in records of vertices.
     pub(crate) vertex_record_words: usize,
+    /// Vertices in faces that have none of their own, where there is such a thing.
+    pub(crate) unmatched: usize,
     /// The strategy that the library takes of its own accord first.
     pub(crate) build: Vec<(Pairing, Timing)>,
     pub(crate) rings: Option<Rings>,
     pub(crate) sweep: Option<Timing>,
     pub(crate) vertex_queries: Option<Timing>,
     pub(crate) face_queries: Option<Timing>,
+    /// The questions of [`Depth::Only`] that it can answer.
+    pub(crate) asked: Vec<(Question, Timing)>,
     /// Answers by name, to compare.
     pub(crate) answers: Vec<(&'static str, u64)>,
+    /// Where vertices and faces have other numbers: what the list of faces says in those.
+    pub(crate) expected: Option<Vec<(&'static str, u64)>>,
 }
 
 /// A backend of the registry.
@@ -49,8 +67,11 @@ pub(crate) fn backend<M: FromFaces + Footprint>(
     let mut measured = Measured { counted: growth.kept, peak: growth.peak, ..Measured::default() };
     measured.told = Some(mesh.heap_bytes());
     measured.vertex_record_words = kernels.vertex_record_words.map_or(0, |words| words(&mesh));
-    let more = strategies(plan.with_quadratic).filter(|_| kernels.pairs());
-    for pairing in std::iter::once(Pairing::Auto).chain(more) {
+    let mut pairings = vec![Pairing::Auto];
+    if let Depth::All { with_quadratic } = plan.depth {
+        pairings.extend(strategies(with_quadratic).filter(|_| kernels.pairs()));
+    }
+    for pairing in pairings {
         let is_quadratic = pairing == Pairing::Quadratic;
         let clock = if is_quadratic { plan.clock.of_quadratic() } else { plan.clock };
         measured.build.push((pairing, clock.time(|| build(pairing))));
@@ -81,6 +102,11 @@ pub(crate) fn searched(plan: &Plan<'_>) -> Result<Measured, BuildError> {
 impl Measured {
     /// Puts all questions, those that are timed first.
     pub(crate) fn ask<M>(&mut self, mesh: &M, kernels: &Kernels<M>, plan: &Plan<'_>) {
+        if let Depth::Only(questions) = plan.depth {
+            let ask = |&question: &Question| Some((question, kernels.time(question, mesh, plan)?));
+            self.asked = questions.iter().filter_map(ask).collect();
+            return;
+        }
         let Sample { starts, vertices, faces } = plan.sample;
         let (clock, mut answers) = (plan.clock, Vec::new());
         let mut timed = |name: &'static str, ask: &dyn Fn() -> u64| {
@@ -93,6 +119,11 @@ impl Measured {
             timing
         };
         self.sweep = kernels.sweep.map(|sweep| timed("sweep", &|| sweep(mesh)));
+        if plan.depth == Depth::Sweep {
+            answers.retain(|_| plan.soup.is_clean);
+            self.answers = answers;
+            return;
+        }
         self.vertex_queries =
             kernels.vertex_queries.map(|query| timed("vertex_queries", &|| query(mesh, vertices)));
         self.face_queries = kernels.face_queries.map(|query| timed("face_queries", &|| query(mesh, faces)));

@@ -1,16 +1,23 @@
 //! `onering compare`: every backend on every mesh.
 
-mod case;
+pub(crate) mod case;
 mod deform;
+mod fill;
+mod growth;
+mod html;
 mod kernels;
-mod measure;
+pub(crate) mod measure;
+mod open;
+mod orders;
+pub(crate) mod question;
 mod record;
 mod reference;
+mod renumbered;
 mod report;
 mod rings;
 mod row;
-mod sample;
-mod subject;
+pub(crate) mod sample;
+pub(crate) mod subject;
 
 use crate::args;
 use crate::default_mesh;
@@ -18,10 +25,10 @@ use crate::machine::Machine;
 use crate::output::{self, Status};
 use case::Case;
 use indicatif::{ProgressBar, ProgressStyle};
-use onering_io::Replacement;
+use open::{Open, finish, open};
 use record::{Mesh, Run, Settings, Unread};
 use row::Rows;
-use std::io::{self, Write};
+use std::io;
 use std::path::Path;
 
 /// Measures, prints a report for each mesh as soon as it is done, and writes the JSON at the end.
@@ -29,25 +36,24 @@ pub(crate) fn run(options: &args::Compare) -> io::Result<Status> {
     if options.deform {
         return deform::run(options);
     }
-    // A file that cannot be written is better known before the work than after it.
-    let json = match options.json.as_deref().map(|path| (path, Replacement::create(path))) {
-        Some((path, Err(error))) => {
-            output::complain(&format!("{}: {error}", path.display()));
-            return Ok(Status::Nothing);
-        }
-        other => other.and_then(|(path, file)| Some((path, file.ok()?))),
+    let (json, html) = match (open(options.json.as_deref()), open(options.html.as_deref())) {
+        (Ok(json), Ok(html)) => (json, html),
+        (Err(failure), _) | (_, Err(failure)) => return failure.end(),
     };
     let mut run = Comparison::new(options);
     output::print(&report::head(&run.run))?;
     if options.files.is_empty() {
         for made in default_mesh::all() {
-            run.compare(made.name.to_owned(), made.vertex_count, made.faces)?;
+            run.compare(made.name.to_owned(), &made.positions, made.faces)?;
         }
     }
     for file in &options.files {
         run.compare_file(file)?;
     }
-    run.finish(json)
+    if html.is_some() {
+        run.grow();
+    }
+    run.finish(json, html)
 }
 
 struct Comparison<'a> {
@@ -70,10 +76,13 @@ impl<'a> Comparison<'a> {
         let meshes = if options.files.is_empty() { default_mesh::all().len() } else { options.files.len() };
         let run = Run {
             version: env!("CARGO_PKG_VERSION"),
+            command: command(),
+            date: jiff::Timestamp::now().strftime("%Y-%m-%d %H:%M UTC").to_string(),
             machine: Machine::this(),
             settings,
             notes: report::NOTES,
             meshes: Vec::new(),
+            growth: None,
             unread: Vec::new(),
         };
         Self { options, bar: progress(meshes * chosen.len()), chosen, run }
@@ -81,7 +90,7 @@ impl<'a> Comparison<'a> {
 
     fn compare_file(&mut self, file: &Path) -> io::Result<()> {
         match onering_io::load(file) {
-            Ok(mesh) => self.compare(file.display().to_string(), mesh.positions.len(), mesh.faces),
+            Ok(mesh) => self.compare(file.display().to_string(), &mesh.positions, mesh.faces),
             Err(error) => {
                 self.give_up(file.display().to_string(), error.to_string());
                 Ok(())
@@ -89,11 +98,11 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    fn compare(&mut self, name: String, vertices: usize, faces: Vec<[u32; 3]>) -> io::Result<()> {
+    fn compare(&mut self, name: String, positions: &[[f32; 3]], faces: Vec<[u32; 3]>) -> io::Result<()> {
         if faces.is_empty() {
-            return self.show(row::without_faces(name, vertices));
+            return self.show(fill::without_faces(name, positions.len()));
         }
-        match Case::of(name.clone(), vertices, faces, self.options.seed) {
+        match Case::of(name.clone(), positions, faces, self.options.seed) {
             Err(error) => {
                 self.give_up(name.clone(), format!("{name}: {error}"));
                 Ok(())
@@ -131,27 +140,37 @@ impl<'a> Comparison<'a> {
         self.run.unread.push(Unread { file, error });
     }
 
-    fn finish(self, json: Option<(&Path, Replacement)>) -> io::Result<Status> {
+    fn grow(&mut self) {
+        self.bar.set_message("spheres of growing size");
+        self.run.growth = Some(growth::measured(self.options, &self.chosen));
+    }
+
+    fn finish(self, json: Open<'_>, html: Open<'_>) -> io::Result<Status> {
         self.bar.finish_and_clear();
         let Run { meshes, unread, .. } = &self.run;
         let mut status = Status::of(meshes.len(), unread.len());
         if meshes.iter().any(|mesh| !mesh.mismatches.is_empty()) {
             status = Status::Partly;
         }
-        if let Some((path, mut file)) = json {
-            let mut text = serde_json::to_vec_pretty(&self.run)?;
-            text.push(b'\n');
-            if let Err(error) = file.write_all(&text).and_then(|()| file.finish()) {
-                output::complain(&format!("{}: {error}", path.display()));
-                status = Status::Partly;
+        let page = if html.is_some() { html::page(&self.run) } else { String::new() };
+        let text = serde_json::to_string_pretty(&self.run)? + "\n";
+        for written in [finish(json, &text), finish(html, &page)] {
+            if let Err(failure) = written {
+                status = failure.end()?;
             }
         }
         Ok(status)
     }
 }
 
+/// As it could be said again.
+fn command() -> String {
+    let words = std::env::args_os().skip(1).map(|word| onering_io::one_line(&word.to_string_lossy()));
+    std::iter::once("onering".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
+}
+
 /// On standard error, and only where that is a terminal.
-fn progress(steps: usize) -> ProgressBar {
+pub(crate) fn progress(steps: usize) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
     let bar = ProgressBar::new(steps as u64);
     if let Ok(style) = style { bar.with_style(style) } else { bar }

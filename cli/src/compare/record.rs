@@ -8,11 +8,17 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 #[derive(Debug, serde::Serialize)]
 pub(crate) struct Run {
     pub(crate) version: &'static str,
+    /// What was said at the shell.
+    pub(crate) command: String,
+    /// When it began, in UTC.
+    pub(crate) date: String,
     pub(crate) machine: Machine,
     pub(crate) settings: Settings,
     /// How to read the figures.
     pub(crate) notes: &'static [&'static str],
     pub(crate) meshes: Vec<Mesh>,
+    /// Meshes of growing size, where a page is written.
+    pub(crate) growth: Option<Growth>,
     pub(crate) unread: Vec<Unread>,
 }
 
@@ -43,6 +49,8 @@ pub(crate) struct Mesh {
     pub(crate) random_vertices: Vec<u32>,
     /// What some backends cannot hold.
     pub(crate) defects: String,
+    /// How half-edges are paired where nobody chooses, by the order of vertices and faces.
+    pub(crate) auto_pairing: Named<String>,
     /// What was done to the mesh for those, and what it became.
     pub(crate) repair: Option<Repair>,
     pub(crate) backends: Vec<Backend>,
@@ -56,6 +64,7 @@ pub(crate) struct Repair {
     pub(crate) vertices: usize,
     pub(crate) triangles: usize,
     pub(crate) edges: usize,
+    pub(crate) auto_pairing: Named<String>,
     /// Where rings start on the mesh that it became, whose vertices have other numbers.
     pub(crate) random_vertices: Vec<u32>,
 }
@@ -77,6 +86,8 @@ pub(crate) struct Backend {
     /// Of all queries together.
     pub(crate) random_vertex_queries: Option<Timing>,
     pub(crate) random_face_queries: Option<Timing>,
+    /// Building and sweeping where vertices and faces come in another order; `null` where there is none.
+    pub(crate) orders: Named<Option<InOrder>>,
     /// Sums over answers, in hexadecimal.
     pub(crate) checksums: Named<String>,
 }
@@ -104,15 +115,47 @@ pub(crate) struct Ring {
     pub(crate) timing: Timing,
 }
 
-#[derive(Debug, serde::Serialize)]
+#[derive(Clone, Copy, Debug, serde::Serialize)]
 pub(crate) struct Sweep {
     pub(crate) ns_per_vertex: f64,
     pub(crate) timing: Timing,
 }
 
+/// The mesh in another order.
+#[derive(Clone, Copy, Debug, serde::Serialize)]
+pub(crate) struct InOrder {
+    /// With the pairing that the library takes of its own accord.
+    pub(crate) build: Timing,
+    pub(crate) sweep: Option<Sweep>,
+}
+
+/// Building and sweeping spheres of growing size.
+#[derive(Debug, serde::Serialize)]
+pub(crate) struct Growth {
+    pub(crate) mesh: &'static str,
+    pub(crate) triangles: Vec<usize>,
+    pub(crate) backends: Vec<Grown>,
+}
+
+/// One backend, a point for each size.
+#[derive(Debug, serde::Serialize)]
+pub(crate) struct Grown {
+    pub(crate) name: &'static str,
+    pub(crate) points: Vec<InOrder>,
+}
+
 /// A map in the order of its list.
 #[derive(Clone, Debug)]
 pub(crate) struct Named<T>(pub(crate) Vec<(String, T)>);
+
+impl<T> Named<Option<T>> {
+    /// Puts a value in its place, where there is a place of this name.
+    pub(crate) fn set(&mut self, name: &str, value: T) {
+        if let Some((_, place)) = self.0.iter_mut().find(|(known, _)| known == name) {
+            *place = Some(value);
+        }
+    }
+}
 
 impl<T: Serialize> Serialize for Named<T> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -1,6 +1,7 @@
 //! The report for people to read: two tables for each mesh.
 
-use super::record::{Backend, Mesh, Run};
+use super::orders::{GIVEN, REORDERED, SHUFFLED};
+use super::record::{Backend, InOrder, Mesh, Named, Run};
 use super::rings::LEVELS;
 use super::row::{AS_IT_IS, REPAIRED};
 use super::sample::{QUERIES, STARTS};
@@ -8,6 +9,7 @@ use super::subject::BASELINE;
 use crate::args;
 use crate::tables::{cell, scaled, table, wrapped};
 use comfy_table::Table;
+use onering::Pairing;
 use std::fmt::Write;
 
 /// How to read the figures.
@@ -23,6 +25,9 @@ pub(crate) const NOTES: &[&str] = &[
      (Fig. 16, Table 5). Sweep: the one-ring of every vertex. Vertex queries: the one-rings of random vertices. \
      Face queries: the three faces across the edges of random faces. A bare graph gives all neighbours as the \
      one-ring.",
+    "Orders: building as the library does it of its own accord, and the sweep, with vertices and faces as they come, \
+     shuffled, and that reordered along a Morton curve by position. Shuffled meshes may take very long, so that they \
+     count as quadratic does. `sot` numbers vertices and faces anew: it is asked about the same elements by its maps.",
     "All answers are compared by checksums, between backends and with the list of triangles. `-` is what a backend \
      cannot answer, or what was left out, as said under the table.",
 ];
@@ -54,7 +59,9 @@ pub(crate) fn mesh(mesh: &Mesh, options: &args::Compare) -> String {
     if mesh.backends.is_empty() {
         return text;
     }
-    for table in [memory(mesh), builds(mesh), queries(mesh)] {
+    text += &choices(&mesh.auto_pairing, AS_IT_IS);
+    text += &repair.as_ref().map_or_else(String::new, |repair| choices(&repair.auto_pairing, REPAIRED));
+    for table in [memory(mesh), builds(mesh), queries(mesh), orders(mesh)] {
         // The rule below one table is the rule above the next.
         text += table.to_string().rsplit_once('\n').map_or("", |(lines, _)| lines);
         text.push('\n');
@@ -79,14 +86,56 @@ fn memory(mesh: &Mesh) -> Table {
     table
 }
 
+/// Which strategy `auto` is.
+fn choices(choices: &Named<String>, state: &str) -> String {
+    let each: Vec<String> =
+        choices.0.iter().map(|(order, strategy)| format!("{strategy} where {order}")).collect();
+    format!("auto on the mesh {state}: {}\n", each.join(", "))
+}
+
 fn builds(mesh: &Mesh) -> Table {
-    let header = ["Build, ms", "mesh", "auto", "without hash", "paper hash", "hash", "partition", "chain"];
-    let mut table = table(&header, 2);
+    let strategies = std::iter::once(Pairing::Auto).chain(Pairing::ALL).map(in_words);
+    let header: Vec<String> = ["Build, ms", "mesh"].map(String::from).into_iter().chain(strategies).collect();
+    let mut table = table(&header.iter().map(String::as_str).collect::<Vec<_>>(), 2);
     for row in mesh.backends.iter().filter(|row| !row.build.0.is_empty()) {
         let times = row.build.0.iter().map(|&(_, timing)| scaled(timing, 1e6));
         table.add_row([row.name, row.mesh].map(str::to_owned).into_iter().chain(times));
     }
     table
+}
+
+/// A strategy as the paper calls it, where it is of the paper.
+pub(crate) fn in_words(pairing: Pairing) -> String {
+    match pairing {
+        Pairing::Quadratic => "without hash".into(),
+        other => other.to_string().replace('-', " "),
+    }
+}
+
+fn orders(mesh: &Mesh) -> Table {
+    let header: Vec<String> = ["build, ms", "sweep, ns/vertex"]
+        .iter()
+        .flat_map(|what| [GIVEN, SHUFFLED, REORDERED].map(|order| format!("{what}\n{order}")))
+        .collect();
+    let header: Vec<&str> = ["Orders", "mesh"].into_iter().chain(header.iter().map(String::as_str)).collect();
+    let mut table = table(&header, 2);
+    for row in mesh.backends.iter().filter(|row| row.memory.is_some()) {
+        let orders = in_orders(row);
+        let builds = orders.map(|order| scaled(order.map(|order| order.build), 1e6));
+        let sweeps = orders.map(|order| {
+            let sweep = order.and_then(|order| order.sweep);
+            sweep.map_or("-".into(), |sweep| cell(sweep.ns_per_vertex, sweep.timing))
+        });
+        table.add_row([row.name, row.mesh].map(str::to_owned).into_iter().chain(builds).chain(sweeps));
+    }
+    table
+}
+
+/// What was found in the order that was given, shuffled and reordered.
+pub(crate) fn in_orders(row: &Backend) -> [Option<InOrder>; 3] {
+    let build = row.build.0.first().and_then(|&(_, auto)| auto);
+    let other = |name| row.orders.0.iter().find(|(order, _)| order == name).and_then(|&(_, found)| found);
+    [build.map(|build| InOrder { build, sweep: row.sweep }), other(SHUFFLED), other(REORDERED)]
 }
 
 fn queries(mesh: &Mesh) -> Table {

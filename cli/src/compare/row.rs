@@ -1,14 +1,15 @@
 //! Measures one mesh, backend after backend, and compares their answers.
 
 use super::case::{Case, Ready};
-use super::measure::{Measured, Plan};
-use super::record::{Backend, Memory, Mesh, Named, Ring, Sweep};
-use super::subject::{BASELINE, SUBJECTS, Subject};
+use super::fill::{empty_row, fill, per_vertex};
+use super::measure::{Depth, Measured, Plan};
+use super::record::{Backend, InOrder, Memory, Mesh};
+use super::subject::{BASELINE, SUBJECTS, Subject, entries};
 use crate::args;
 use crate::timing::Clock;
+use onering::BuildError;
 use onering::footprint::Counts;
-use onering::registry::BACKENDS;
-use onering::{BuildError, Pairing};
+use onering::registry::Entry;
 use std::time::Duration;
 
 /// The rows of one mesh so far.
@@ -19,20 +20,21 @@ pub(crate) struct Rows<'a> {
     limit: usize,
     rows: Vec<Backend>,
     /// The first answer to each question in each state of the mesh, and who gave it.
-    first: Vec<(&'static str, &'static str, &'static str, u64)>,
+    first: Vec<(String, &'static str, &'static str, u64)>,
     mismatches: Vec<String>,
 }
 
 pub(crate) const AS_IT_IS: &str = "as it is";
 pub(crate) const REPAIRED: &str = "repaired";
 const NOT_BUILT: &str = "not built";
+const THE_LIST: &str = "the list of faces";
 
 impl<'a> Rows<'a> {
     pub(crate) fn new(case: &'a Case, options: &args::Compare) -> Self {
         let states = [(AS_IT_IS, Some(&case.as_it_is)), (REPAIRED, case.repaired.as_ref().map(|(r, _)| r))];
         let answers = |(state, ready): (&'static str, Option<&'a Ready>)| {
             let answers = ready.into_iter().flat_map(|ready| &ready.answers);
-            answers.map(move |&(name, answer)| (state, name, "the list of faces", answer))
+            answers.map(move |&(name, answer)| (state.to_owned(), name, THE_LIST, answer))
         };
         Self {
             case,
@@ -44,9 +46,10 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Measures a backend by its place in the registry: on the mesh as it is, else on the repaired one.
+    /// Measures a structure by its place in [`SUBJECTS`]: on the mesh as it is, else on the repaired one.
     pub(crate) fn measure(&mut self, place: usize) {
-        let (subject, entry) = (&SUBJECTS[place], &BACKENDS[place]);
+        let subject = &SUBJECTS[place];
+        let entry = entries().nth(place).expect("there is one for each of the subjects");
         let case = self.case;
         let (state, refusal, outcome) = match self.ask(subject, &case.as_it_is) {
             Ok(measured) => (AS_IT_IS, None, Some((measured, &case.as_it_is))),
@@ -63,8 +66,9 @@ impl<'a> Rows<'a> {
         row.refusal = refusal.map(|refusal| refusal.to_string());
         if let Some((measured, ready)) = outcome {
             self.compare(subject.name, state, &measured);
-            row.memory = Some(self.memory(place, state, &measured, ready));
+            row.memory = Some(self.memory(entry, state, &measured, ready));
             fill(&mut row, &measured, ready);
+            self.measure_orders(subject, state, ready, &mut row);
         } else if case.as_it_is.soup.is_clean || case.repaired.is_some() {
             self.mismatches.push(format!("{} refuses a mesh that every backend should hold", subject.name));
         }
@@ -87,15 +91,40 @@ impl<'a> Rows<'a> {
     }
 
     fn ask(&self, subject: &Subject, ready: &Ready) -> Result<Measured, BuildError> {
-        let Ready { soup, sample, .. } = ready;
         let with_quadratic = self.case.as_it_is.soup.faces.len() <= self.limit;
-        (subject.measure)(&Plan { soup, sample, clock: self.clock, with_quadratic })
+        let depth = Depth::All { with_quadratic };
+        (subject.measure)(&Plan { soup: &ready.soup, sample: &ready.sample, clock: self.clock, depth })
     }
 
-    fn compare(&mut self, who: &'static str, state: &'static str, measured: &Measured) {
+    /// Builds and sweeps the same triangles in other orders. What is out of order may take very long.
+    fn measure_orders(&mut self, subject: &Subject, state: &str, ready: &Ready, row: &mut Backend) {
+        for other in &ready.others {
+            let (soup, clock) = (&other.soup, self.clock.of_quadratic());
+            match (subject.measure)(&Plan { soup, sample: &ready.sample, clock, depth: Depth::Sweep }) {
+                Ok(measured) => {
+                    self.compare(subject.name, &format!("{state}, {}", other.name), &measured);
+                    let sweep = measured.sweep.map(|timing| per_vertex(timing, &other.soup));
+                    let found = InOrder { build: measured.build[0].1, sweep };
+                    row.orders.set(other.name, found);
+                }
+                Err(error) => {
+                    let (name, order) = (subject.name, other.name);
+                    self.mismatches.push(format!("{name} refuses the mesh {state} when {order}: {error}"));
+                }
+            }
+        }
+    }
+
+    fn compare(&mut self, who: &'static str, state: &str, measured: &Measured) {
+        let own = format!("{state}, in the numbers of {who}");
+        for &(name, answer) in measured.expected.iter().flatten() {
+            self.first.push((own.clone(), name, THE_LIST, answer));
+        }
         for &(name, answer) in &measured.answers {
-            match self.first.iter().find(|&&(s, n, ..)| (s, n) == (state, name)) {
-                None => self.first.push((state, name, who, answer)),
+            // Sizes of rings are the same in whatever numbers.
+            let state = if measured.expected.is_some() && name != "rings" { &own } else { state };
+            match self.first.iter().find(|(s, n, ..)| (s.as_str(), *n) == (state, name)) {
+                None => self.first.push((state.to_owned(), name, who, answer)),
                 Some(&(_, _, other, first)) if first != answer => {
                     self.mismatches.push(format!("{who} and {other} differ in `{name}` on the mesh {state}"));
                 }
@@ -104,9 +133,9 @@ impl<'a> Rows<'a> {
         }
     }
 
-    fn memory(&mut self, place: usize, state: &str, measured: &Measured, ready: &Ready) -> Memory {
-        let entry = &BACKENDS[place];
-        let counts = Counts { vertex_record_words: measured.vertex_record_words, ..ready.counts };
+    fn memory(&mut self, entry: &Entry, state: &str, measured: &Measured, ready: &Ready) -> Memory {
+        let &Measured { vertex_record_words, unmatched, .. } = measured;
+        let counts = Counts { vertex_record_words, unmatched, ..ready.counts };
         let formula = entry.bytes.of(&counts);
         if let Some(told) = measured.told.filter(|&told| told != formula) {
             let name = entry.name;
@@ -134,71 +163,12 @@ impl<'a> Rows<'a> {
             edges: counts.edges,
             random_vertices: sample.starts.clone(),
             defects: case.defects.clone(),
+            auto_pairing: case.as_it_is.choices(),
             repair: case.repaired.as_ref().map(|(_, repair)| repair.clone()),
             backends: rows,
             mismatches,
         }
     }
-}
-
-/// A mesh that there is nothing to measure on.
-pub(crate) fn without_faces(name: String, vertices: usize) -> Mesh {
-    Mesh {
-        name,
-        vertices,
-        triangles: 0,
-        edges: 0,
-        random_vertices: Vec::new(),
-        defects: "nothing to measure on".into(),
-        repair: None,
-        backends: Vec::new(),
-        mismatches: Vec::new(),
-    }
-}
-
-/// A row with a place for every strategy, also those that are not timed.
-fn empty_row(name: &'static str, mesh: &'static str) -> Backend {
-    let strategies = std::iter::once(Pairing::Auto).chain(Pairing::ALL);
-    Backend {
-        name,
-        traits: &[],
-        holds: &[],
-        mesh,
-        refusal: None,
-        memory: None,
-        build: Named(strategies.map(|pairing| (pairing.to_string(), None)).collect()),
-        rings: Vec::new(),
-        sweep: None,
-        random_vertex_queries: None,
-        random_face_queries: None,
-        checksums: Named(Vec::new()),
-    }
-}
-
-fn fill(row: &mut Backend, measured: &Measured, ready: &Ready) {
-    for &(pairing, timing) in &measured.build {
-        let name = pairing.to_string();
-        if let Some((_, place)) = row.build.0.iter_mut().find(|(known, _)| *known == name) {
-            *place = Some(timing);
-        }
-    }
-    if let Some(rings) = &measured.rings {
-        let starts = rings.counts.len() as f64;
-        let levels = rings.timings.iter().zip(rings.means()).enumerate();
-        row.rings = levels
-            .map(|(k, (timing, vertices))| {
-                let timing = timing.scaled(1.0 / starts);
-                Ring { level: k + 1, vertices, timing }
-            })
-            .collect();
-    }
-    row.sweep = measured
-        .sweep
-        .map(|timing| Sweep { ns_per_vertex: timing.median_ns / ready.soup.vertex_count as f64, timing });
-    row.random_vertex_queries = measured.vertex_queries;
-    row.random_face_queries = measured.face_queries;
-    let sums = measured.answers.iter().map(|&(name, sum)| (name.to_owned(), format!("{sum:016x}")));
-    row.checksums = Named(sums.collect());
 }
 
 #[cfg(test)]
@@ -207,7 +177,7 @@ mod tests {
 
     #[test]
     fn a_wrong_answer_is_told_with_who_gave_it() {
-        let case = Case::of("square".into(), 4, vec![[0, 1, 2], [0, 2, 3]], 1).unwrap();
+        let case = Case::of("square".into(), &[[0.0; 3]; 4], vec![[0, 1, 2], [0, 2, 3]], 1).unwrap();
         let mut rows = Rows::new(&case, &args::Compare::default());
         let answers =
             |answers: &[(&'static str, u64)]| Measured { answers: answers.into(), ..Measured::default() };

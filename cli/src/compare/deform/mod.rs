@@ -8,6 +8,7 @@ mod plot;
 mod record;
 mod table;
 
+use super::open::{finish, open};
 use super::subject::BASELINE;
 use crate::failure::Failure;
 use crate::machine::Machine;
@@ -18,17 +19,13 @@ use crate::timing::Clock;
 use crate::{args, made};
 use measure::{Compared, Experiment};
 use onering::registry::BACKENDS;
-use onering_io::{Replacement, Triangles};
+use onering_io::Triangles;
 use record::{Line, Run, Size};
-use std::io::{self, Write};
-use std::path::Path;
+use std::io;
 use std::time::Duration;
 
 /// Vertices of the organ, about.
 const SIZES: [usize; 5] = [200, 1_000, 5_000, 10_000, 20_000];
-
-/// A file that is ready to be written, and its name.
-type Open<'a> = Option<(&'a Path, Replacement)>;
 
 /// Measures, prints the table, and writes the JSON and the plot.
 pub(crate) fn run(options: &args::Compare) -> io::Result<Status> {
@@ -47,21 +44,6 @@ fn compare(options: &args::Compare) -> Result<Status, Failure> {
     finish(json, &(text + "\n"))?;
     finish(plot, &plot::of(&run))?;
     Ok(if run.mismatches.is_empty() { Status::Done } else { Status::Partly })
-}
-
-/// A file that cannot be written is better known before the work than after it.
-fn open(path: Option<&Path>) -> Result<Open<'_>, Failure> {
-    let Some(path) = path else { return Ok(None) };
-    match Replacement::create(path) {
-        Ok(file) => Ok(Some((path, file))),
-        Err(error) => Err(Failure::Usage(format!("{}: {error}", path.display()))),
-    }
-}
-
-fn finish(open: Open<'_>, text: &str) -> Result<(), Failure> {
-    let Some((path, mut file)) = open else { return Ok(()) };
-    let written = file.write_all(text.as_bytes()).and_then(|()| file.finish());
-    written.map_err(|error| Failure::Output(format!("{}: {error}", path.display())))
 }
 
 fn measured(options: &args::Compare) -> Result<Run, Failure> {
@@ -105,7 +87,7 @@ fn one(name: &str, mesh: &Triangles, options: &args::Compare) -> Result<Option<C
 
 /// The structures that can start from a vertex, and none at all where all are asked for.
 fn names(options: &args::Compare) -> Vec<&'static str> {
-    let chosen = options.chosen().into_iter().map(|i| &BACKENDS[i]);
+    let chosen = options.chosen().into_iter().filter_map(|i| BACKENDS.get(i));
     let with_rings = chosen.filter(|backend| backend.traits.contains(&"incidence"));
     let baseline = options.backends.is_empty().then_some(SEARCHED);
     baseline.into_iter().chain(with_rings.map(|backend| backend.name)).collect()

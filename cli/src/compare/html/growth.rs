@@ -1,0 +1,57 @@
+//! Time against size, on logarithmic axes.
+
+use super::axis::Axis;
+use super::figure::grouped;
+use super::mesh::{MILLISECOND, each};
+use super::table::{Cell, Table};
+use super::{Plot, lines, place};
+use crate::compare::record::{Growth, InOrder};
+use crate::timing::Timing;
+
+/// Of building, and of one-rings.
+pub(super) fn plots(growth: &Growth) -> [Plot; 2] {
+    let build = |point: &InOrder| Some(point.build);
+    let ring = |point: &InOrder| point.sweep.as_ref().map(each);
+    [
+        plot(growth, ["growth-build", "Build time by size", "ms"], MILLISECOND, build),
+        plot(growth, ["growth-rings", "Ring time by size", "one-ring, ns a vertex"], 1.0, ring),
+    ]
+}
+
+fn plot(growth: &Growth, words: [&str; 3], unit: f64, time: impl Fn(&InOrder) -> Option<Timing>) -> Plot {
+    let [id, title, beside] = words;
+    let points = |points: &[InOrder]| {
+        let known = points.iter().zip(&growth.triangles);
+        known.filter_map(|(point, &size)| Some((size as f64, time(point)?.median_ns / unit))).collect()
+    };
+    let lines: Vec<lines::Line<'_>> = growth
+        .backends
+        .iter()
+        .map(|grown| lines::Line {
+            name: grown.name,
+            place: place(grown.name),
+            points: points(&grown.points),
+        })
+        .filter(|line| !line.points.is_empty())
+        .collect();
+    let note = format!("Low is better. On {}, cut finer and finer.", growth.mesh);
+    let row = |name: &str, points: &[InOrder]| {
+        (name.to_owned(), points.iter().map(|point| Cell::Time(time(point), unit)).collect())
+    };
+    let sizes = growth.triangles.iter().map(|&size| format!("{} triangles", grouped(size)));
+    Plot {
+        title: title.into(),
+        svg: lines::draw(
+            id,
+            [title, &note, "triangles", beside],
+            Axis::around(growth.triangles.iter().map(|&size| size as f64)),
+            &lines,
+        ),
+        note,
+        table: Table {
+            caption: format!("{title}, {beside}"),
+            header: std::iter::once("structure".to_owned()).chain(sizes).collect(),
+            rows: growth.backends.iter().map(|grown| row(grown.name, &grown.points)).collect(),
+        },
+    }
+}

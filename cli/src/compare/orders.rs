@@ -1,0 +1,89 @@
+//! A mesh in other orders of its vertices and faces: order matters more than structure.
+
+use super::sample::Soup;
+use crate::random::Random;
+use onering::reorder::{Reordering, morton, reorder, reorder_both};
+use onering::{BuildError, FromFaces, Handle, Map, Pairing, SharedVertex, Topology};
+
+/// As it came.
+pub(crate) const GIVEN: &str = "given";
+/// Vertices and faces at random.
+pub(crate) const SHUFFLED: &str = "shuffled";
+/// What was shuffled, put in order again along a Morton curve.
+pub(crate) const REORDERED: &str = "reordered";
+
+/// The same triangles in another order.
+#[derive(Debug)]
+pub(crate) struct InOrder {
+    pub(crate) name: &'static str,
+    pub(crate) soup: Soup,
+}
+
+/// The mesh shuffled, and that reordered; the latter only where all positions are numbers.
+pub(crate) fn of(soup: &Soup, positions: &[[f32; 3]], seed: u64) -> Result<Vec<InOrder>, BuildError> {
+    let shuffled = shuffled(&soup.mesh()?, seed);
+    let positions: Map<_, _> = shuffled.carry_vertices(positions).into();
+    let in_order = |name, faces| InOrder { name, soup: Soup { faces, ..*soup } };
+    let shuffled = in_order(SHUFFLED, shuffled.faces);
+    let reordered = match morton(&positions) {
+        Ok(order) => Some(in_order(REORDERED, reorder(&shuffled.soup.mesh()?, &order).faces)),
+        Err(_) => None,
+    };
+    Ok([shuffled].into_iter().chain(reordered).collect())
+}
+
+/// The strategy that pairing takes of its own accord in each order, the given one first.
+pub(crate) fn choices(soup: &Soup, others: &[InOrder]) -> Vec<(String, String)> {
+    let choice = |soup: &Soup| Pairing::choose(soup.vertex_count, &soup.faces).to_string();
+    let others = others.iter().map(|other| (other.name.to_owned(), choice(&other.soup)));
+    std::iter::once((GIVEN.to_owned(), choice(soup))).chain(others).collect()
+}
+
+fn shuffled(mesh: &SharedVertex, seed: u64) -> Reordering {
+    let mut random = Random(seed);
+    let vertices = random.permutation(mesh.vertex_count());
+    let faces = random.permutation(mesh.face_count());
+    reorder_both(mesh, &handles(vertices), &handles(faces))
+}
+
+fn handles<H: Handle>(numbers: Vec<usize>) -> Vec<H> {
+    numbers.into_iter().map(H::new).collect()
+}
+
+impl Soup {
+    fn mesh(&self) -> Result<SharedVertex, BuildError> {
+        SharedVertex::from_faces(self.vertex_count, &self.faces)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::default_mesh;
+
+    #[test]
+    fn shuffling_is_for_one_strategy_and_reordering_for_the_other() {
+        let [_, _, made] = default_mesh::all();
+        let soup = Soup { vertex_count: made.positions.len(), faces: made.faces, is_clean: true };
+        let others = of(&soup, &made.positions, 5).unwrap();
+        assert_eq!([SHUFFLED, REORDERED], [0, 1].map(|i| others[i].name));
+        let choices = choices(&soup, &others);
+        assert_eq!([0, 1, 2].map(|i| choices[i].1.as_str()), ["chain", "partition", "chain"]);
+    }
+
+    #[test]
+    fn each_order_has_the_same_mesh() {
+        let soup = Soup { vertex_count: 5, faces: vec![[0, 1, 2], [0, 2, 3], [2, 1, 4]], is_clean: true };
+        let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [2.0, 0.0, 0.0]];
+        let degrees = |soup: &Soup| {
+            let mut degrees = [0; 5];
+            soup.faces.as_flattened().iter().for_each(|&v| degrees[v as usize] += 1);
+            degrees.sort_unstable();
+            degrees
+        };
+        let others = of(&soup, &positions, 7).unwrap();
+        assert!(others.len() == 2 && others.iter().all(|other| degrees(&other.soup) == degrees(&soup)));
+        let without_place = [[f32::NAN; 3]; 5];
+        assert_eq!(of(&soup, &without_place, 7).unwrap().len(), 1);
+    }
+}

@@ -1,0 +1,161 @@
+//! One structure that may be taken: whether it can be, and what it takes.
+
+use super::Size;
+use crate::args;
+use crate::compare::case::Ready;
+use crate::compare::measure::{Depth, Measured, Plan};
+use crate::compare::question::Question;
+use crate::compare::subject::Subject;
+use crate::timing::{Clock, Timing};
+use onering::registry::{Entry, RENUMBERING};
+use std::fmt;
+use std::time::Duration;
+
+/// Why it is taken, or not.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Verdict {
+    Picked,
+    /// So many times the time of the pick.
+    Slower(f64),
+    /// As fast but for noise, or faster by less than that, and larger.
+    Larger,
+    DoesNotFit,
+    /// Not one of these traits.
+    Lacks(&'static [&'static str]),
+    /// What it says of the mesh.
+    NeedsRepair(String),
+    Renumbers,
+}
+
+#[derive(Debug)]
+pub(super) struct Candidate {
+    pub(super) entry: &'static Entry,
+    pub(super) type_name: &'static str,
+    pub(super) verdict: Verdict,
+    /// Bytes once it is built, positions included.
+    pub(super) kept: Option<u64>,
+    /// The most bytes until then, the list of faces and positions included; the least that it can be where it was not built.
+    pub(super) needs: Option<u64>,
+    pub(super) times: Vec<(Question, Timing)>,
+}
+
+impl Candidate {
+    /// Measures it where it comes into question: then the verdict is [`Verdict::Picked`] for the time being.
+    pub(super) fn of(
+        subject: &Subject,
+        entry: &'static Entry,
+        ready: &Ready,
+        options: &args::Recommend,
+    ) -> Self {
+        let type_name = subject.type_name.rsplit("::").next().unwrap_or_default().trim();
+        let verdict = Verdict::Picked;
+        let mut candidate = Self { entry, type_name, verdict, kept: None, needs: None, times: Vec::new() };
+        candidate.verdict = candidate.judged(subject, ready, options);
+        candidate
+    }
+
+    fn judged(&mut self, subject: &Subject, ready: &Ready, options: &args::Recommend) -> Verdict {
+        let has = |question: &&Question| {
+            let any = question.traits();
+            any.is_empty() || any.iter().any(|name| self.entry.traits.contains(name))
+        };
+        if let Some(question) = options.queries.iter().find(|question| !has(question)) {
+            return Verdict::Lacks(question.traits());
+        }
+        if self.renumbers() && !options.renumber {
+            return Verdict::Renumbers;
+        }
+        let fits = |bytes: u64| options.memory.is_none_or(|limit| bytes <= limit.0);
+        let [vertices, faces] = [ready.soup.vertex_count, ready.soup.faces.len()].map(|count| count as u64);
+        let (positions, list) = (12 * vertices, 12 * faces);
+        let least = self.entry.bytes.of(&ready.counts) as u64 + positions + list;
+        self.needs = Some(least);
+        // So that what does not fit is not even tried.
+        if !fits(least) {
+            return Verdict::DoesNotFit;
+        }
+        let clock = Clock { budget: Duration::from_millis(options.budget), gives_up: false };
+        let depth = Depth::Only(&options.queries);
+        match (subject.measure)(&Plan { soup: &ready.soup, sample: &ready.sample, clock, depth }) {
+            Err(refusal) => {
+                self.needs = None;
+                Verdict::NeedsRepair(refusal.to_string())
+            }
+            Ok(measured) => {
+                self.kept = Some(measured.counted as u64 + positions);
+                self.needs = Some(measured.peak.max(measured.counted) as u64 + positions + list);
+                self.times = times(&measured, &options.queries);
+                if self.needs.is_some_and(fits) { Verdict::Picked } else { Verdict::DoesNotFit }
+            }
+        }
+    }
+
+    /// Whether vertices and faces get other numbers.
+    fn renumbers(&self) -> bool {
+        RENUMBERING.iter().any(|entry| entry.name == self.entry.name)
+    }
+
+    /// Whether it can be taken, fast or slow.
+    pub(super) fn is_eligible(&self) -> bool {
+        matches!(self.verdict, Verdict::Picked | Verdict::Slower(_) | Verdict::Larger)
+    }
+
+    /// The cargo feature that makes it `onering::Mesh`, where there is one.
+    pub(super) fn feature(&self) -> Option<&'static str> {
+        let has_faces = self.entry.traits.contains(&"topology");
+        (has_faces && !self.renumbers()).then_some(self.entry.name)
+    }
+
+    /// What goes into Cargo.toml.
+    pub(super) fn cargo(&self) -> String {
+        let version = concat!(env!("CARGO_PKG_VERSION_MAJOR"), ".", env!("CARGO_PKG_VERSION_MINOR"));
+        match self.feature() {
+            Some(name) => format!("onering = {{ version = \"{version}\", features = [\"{name}\"] }}"),
+            None => format!("onering = \"{version}\""),
+        }
+    }
+}
+
+fn times(measured: &Measured, questions: &[Question]) -> Vec<(Question, Timing)> {
+    let time = |&question: &Question| match question {
+        Question::Build => Some((question, measured.build.first()?.1)),
+        _ => measured.asked.iter().find(|(asked, _)| *asked == question).copied(),
+    };
+    questions.iter().filter_map(time).collect()
+}
+
+impl Verdict {
+    /// One word for programs.
+    pub(super) fn word(&self) -> &'static str {
+        match self {
+            Self::Picked => "picked",
+            Self::Slower(_) => "slower",
+            Self::Larger => "larger",
+            Self::DoesNotFit => "does-not-fit",
+            Self::Lacks(_) => "lacks-trait",
+            Self::NeedsRepair(_) => "needs-repair",
+            Self::Renumbers => "renumbers",
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Picked => write!(f, "the pick"),
+            Self::Slower(times) => write!(f, "slower: {times:.2} times the time"),
+            Self::Larger => write!(f, "as fast within 5 %, and larger"),
+            Self::DoesNotFit => write!(f, "does not fit"),
+            Self::Lacks(traits) => write!(f, "lacks {}", traits.join(" or ")),
+            Self::NeedsRepair(refusal) => write!(f, "needs repair: {refusal}"),
+            Self::Renumbers => {
+                write!(f, "gives vertices and faces other numbers, and never changes (--renumber)")
+            }
+        }
+    }
+}
+
+/// In words, where there may be no limit.
+pub(super) fn within(limit: Option<Size>) -> String {
+    limit.map_or_else(String::new, |limit| format!(" in {limit}"))
+}

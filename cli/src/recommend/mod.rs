@@ -1,0 +1,87 @@
+//! `onering recommend`: which structure to take for a mesh, and why not the others.
+
+mod candidate;
+mod choice;
+mod report;
+mod size;
+
+pub(crate) use size::Size;
+
+use crate::args;
+use crate::compare;
+use crate::compare::case::{Case, Ready};
+use crate::compare::subject::{SUBJECTS, Subject, entries};
+use crate::failure::Failure;
+use crate::input::Input;
+use crate::machine::Machine;
+use crate::made;
+use crate::output::{self, Status};
+use candidate::{Candidate, Verdict, within};
+use onering::registry::Entry;
+use report::Report;
+use std::io;
+
+/// Measures, and prints what to take.
+pub(crate) fn run(options: &args::Recommend) -> io::Result<Status> {
+    match recommend(options) {
+        Ok(()) => Ok(Status::Done),
+        Err(failure) => failure.end(),
+    }
+}
+
+fn recommend(options: &args::Recommend) -> Result<(), Failure> {
+    let Input { name, mesh, .. } = Input::read(&options.mesh, made::TERRAIN)?;
+    if mesh.faces.is_empty() {
+        return Err(Failure::Output(format!("{name}: it has no faces to measure on")));
+    }
+    let case = Case::of(name.clone(), &mesh.positions, mesh.faces, options.seed)
+        .map_err(|error| Failure::Output(format!("{name}: {error}")))?;
+    let mut candidates = measured(&case.as_it_is, options);
+    let mut pick = choice::pick(&mut candidates);
+    let mut state = &case.as_it_is;
+    let mut repair = None;
+    // Only where nothing holds it as it is.
+    if let (None, Some((repaired, steps))) = (pick, &case.repaired)
+        && candidates.iter().any(|candidate| matches!(candidate.verdict, Verdict::NeedsRepair(_)))
+    {
+        candidates = measured(repaired, options);
+        pick = choice::pick(&mut candidates);
+        (state, repair) = (repaired, Some(steps.steps.as_str()));
+    }
+    let machine = Machine::this();
+    let report =
+        Report { options, machine, case: &case, soup: &state.soup, repair, candidates: &candidates, pick };
+    let text = if options.json { report.json()? } else { report.to_string() };
+    output::print(&text).map_err(Failure::Standard)?;
+    if pick.is_some() { Ok(()) } else { Err(nothing(options, &candidates)) }
+}
+
+fn measured(ready: &Ready, options: &args::Recommend) -> Vec<Candidate> {
+    // Without a thread that ticks: it would allocate while bytes are counted.
+    let bar = compare::progress(SUBJECTS.len());
+    let candidate = |(subject, entry): (&Subject, &'static Entry)| {
+        bar.set_message(entry.name);
+        let candidate = Candidate::of(subject, entry, ready, options);
+        bar.inc(1);
+        candidate
+    };
+    let candidates = SUBJECTS.iter().zip(entries()).map(candidate).collect();
+    bar.finish_and_clear();
+    candidates
+}
+
+/// No structure can be taken.
+fn nothing(options: &args::Recommend, candidates: &[Candidate]) -> Failure {
+    let too_large = candidates.iter().filter(|candidate| candidate.verdict == Verdict::DoesNotFit);
+    let least = too_large.filter_map(|candidate| Some((candidate.needs?, candidate.entry.name))).min();
+    Failure::Output(match least {
+        Some((bytes, name)) => {
+            format!(
+                "nothing fits{}: the least is {name}, which needs {}",
+                within(options.memory),
+                Size(bytes)
+            )
+        }
+        None => "no structure answers all of that on this mesh".into(),
+    })
+}
