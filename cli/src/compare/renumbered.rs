@@ -5,8 +5,8 @@ use super::measure::{Depth, Measured, Plan};
 use super::reference::Sides;
 use super::sample::{Sample, Soup};
 use crate::heap;
-use onering::sot::Renumbering;
-use onering::{BuildError, Footprint, Pairing, Sot};
+
+use onering::{BuildError, Footprint, Pairing, Renumbering, Sot};
 
 /// The sorted opposite table. Its answers are checked against the list of faces in its own numbers.
 pub(crate) fn sot(plan: &Plan<'_>) -> Result<Measured, BuildError> {
