@@ -1,7 +1,6 @@
 //! What half the memory costs, and a quarter: the sorted opposite table and compact stars beside directed edges and
-//! Compact Half-Edge level 2, on meshes made here and on files (repaired). Bytes a
-//! triangle, faces looked at for each `origin`,
-//! sweeps of one-rings, stars and opposites, and construction.
+//! Compact Half-Edge level 2, on meshes made here and on files (repaired). Bytes a triangle, faces looked at for each
+//! `origin`, sweeps of one-rings, stars and opposites, and construction.
 //!
 //! `cargo run --release --example compact_layouts -- bunny.obj`
 use onering::repair::{RepairOptions, repair};
