@@ -8,8 +8,17 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// How a four-byte cell says "this half-edge" and "none".
-pub trait Coding: 'static {
+/// How a four-byte cell says "this half-edge" and "none". Sealed: [`Plain`] and [`Coded`] are all there are. With a limit
+/// above theirs, the number of half-edges could overflow, and what turns without checks of bounds rely on were not so.
+///
+/// ```compile_fail,E0277
+/// enum Boundless {}
+/// impl onering::link::Coding for Boundless {
+///     const MAX_HALF_EDGES: usize = usize::MAX;
+///     type Link = onering::Slot<onering::HalfEdgeId>;
+/// }
+/// ```
+pub trait Coding: sealed::Sealed + 'static {
     /// The most half-edges that it can name.
     const MAX_HALF_EDGES: usize;
     /// One link.
@@ -38,6 +47,8 @@ pub enum Plain {}
 #[derive(Debug)]
 pub enum Coded {}
 
+impl sealed::Sealed for Plain {}
+impl sealed::Sealed for Coded {}
 impl sealed::Sealed for Slot<HalfEdgeId> {}
 impl sealed::Sealed for CodedLink {}
 

@@ -121,7 +121,13 @@ pub(super) struct Rooms<'a> {
 }
 
 impl<'a> Rooms<'a> {
-    /// The share of the next part of the file; `None` if it is larger than what is left.
+    /// Whether corners can name the vertices of the next part: if not, no room is enough.
+    pub(super) fn has_numbers(&self) -> bool {
+        u32::try_from(self.positions.taken).is_ok()
+    }
+
+    /// The share of the next part of the file; `None` if it is larger than what is left, or there are no
+    /// numbers for it.
     pub(super) fn take(&mut self, part: &Reader) -> Option<Share<'a>> {
         let polygons = &part.polygons;
         let starts = polygons.starts().map_or(polygons.faces().len(), <[u32]>::len);
@@ -222,5 +228,17 @@ mod tests {
         let refused = |rooms: &mut Rooms<'_>| rooms.take(&large).is_none() && rooms.take(&square).is_none();
         assert!(lists.with_room(&Needed::default(), refused).unwrap());
         assert!(lists.positions.is_empty());
+    }
+
+    #[test]
+    fn vertices_run_out_of_numbers() {
+        let unfilled = AtomicUsize::new(0);
+        for (taken, has_numbers) in [(u32::MAX as usize, true), (1 << 32, false)] {
+            let positions = Room { left: &mut [], taken };
+            let faces = Room { left: &mut [], taken: 0 };
+            let mut rooms = Rooms { positions, faces, starts: None, unfilled: &unfilled };
+            assert_eq!(rooms.has_numbers(), has_numbers);
+            assert_eq!(rooms.take(&part("\n")).is_some_and(|share| share.fill(&part("\n"))), has_numbers);
+        }
     }
 }

@@ -179,6 +179,8 @@ impl<'r, 'a> Turns<'r, 'a> {
                 state.all.count(part);
                 state.placed += 1;
             }
+            // More room would be of no use.
+            None if !state.rooms.has_numbers() => state.outlook = Outlook::Wrong,
             None => state.outlook = Outlook::Full,
         }
         drop(state);

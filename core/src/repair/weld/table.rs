@@ -27,7 +27,12 @@ impl Table {
     pub(super) fn new(vertices: usize) -> Result<Self, BuildError> {
         // A closed surface has one vertex for six corners: its table need not grow.
         let bits = (vertices / 30 * 8).max(64).next_power_of_two().ilog2().min(MAX_BITS);
-        Ok(Self { slots: memory::filled(1 << bits, 0)?, bits, steps_left: vertices.saturating_mul(STEPS) })
+        Ok(Self { slots: memory::filled(1 << bits, 0)?, bits, steps_left: 0 })
+    }
+
+    /// So many vertices more may cost their steps.
+    pub(super) fn expect(&mut self, vertices: usize) {
+        self.steps_left = self.steps_left.saturating_add(vertices.saturating_mul(STEPS));
     }
 
     #[inline(always)]
@@ -192,6 +197,20 @@ mod tests {
         let soup: Vec<[f32; 3]> = (0..3000).map(|i| [i as f32, 0.0, -(i as f32)]).collect();
         for positions in [grid, soup, vec![[1.0; 3]; 500], vec![[-0.0; 3]; 33]] {
             check(&positions, true);
+        }
+    }
+
+    /// How many vertices were announced says nothing of how they were chosen.
+    #[test]
+    fn more_vertices_than_announced() {
+        let positions: Vec<[f32; 3]> = (0..30_000).map(|i| [(i / 2) as f32, 1.0, -0.0]).collect();
+        for (announced, size) in [(0, 1), (0, 30_000), (3, 700)] {
+            let mut welder = Welder::new(announced).unwrap();
+            let mut target = vec![0; positions.len()];
+            let mut pieces = positions.chunks(size).zip(target.chunks_mut(size));
+            assert!(pieces.all(|(piece, target)| welder.add(target, |v| piece[v]).unwrap()));
+            assert_eq!(target, (0..30_000).map(|i| i / 2).collect::<Vec<_>>());
+            assert_eq!(welder.into_positions().len(), 15_000);
         }
     }
 

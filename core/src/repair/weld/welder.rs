@@ -39,7 +39,7 @@ pub struct Welder {
 }
 
 impl Welder {
-    /// For about so many vertices.
+    /// For about so many vertices; if there are more, the table grows.
     ///
     /// # Errors
     /// [`BuildError::OutOfMemory`].
@@ -69,6 +69,7 @@ impl Welder {
         if vertices > MAX_VERTICES {
             return Err(BuildError::TooManyVertices { vertices, limit: MAX_VERTICES });
         }
+        self.table.expect(target.len());
         for (number, targets) in target.chunks_mut(BLOCK).enumerate() {
             let (start, known) = (number * BLOCK, self.positions.len());
             self.suppose(targets, |i| position(start + i))?;
