@@ -9,7 +9,9 @@ use crate::link::{Coding, Link};
 use crate::storage::{Element, Storage};
 use alloc::{borrow::Cow, string::String, vec::Vec};
 use onering_core::{
-    Adjacency, FaceId, HalfEdgeId, Handle, Pairing, Topology, VertexId, boundary, corner, memory, pairing,
+    Adjacency, FaceId, HalfEdgeId, Handle, Pairing, Topology, VertexId, boundary, corner,
+    memory::{self, Spare},
+    pairing,
 };
 
 /// `CheL2` is `che-l2` in the registry.
@@ -235,7 +237,9 @@ impl<L: Layout, S: Storage> Table<L, S> {
     fn compare_opposites(&self) -> Checked {
         let faces = self.faces().map(|f| self.face_vertices(f).map(|v| v.index() as u32));
         let faces = memory::collected(faces)?;
-        let found = build::links::<LinkOf<L>>(self.vertex_count, &faces, Pairing::Auto, false, Self::HOLDS)?;
+        let fresh = &mut Spare::default();
+        let (n, pairing) = (self.vertex_count, Pairing::Auto);
+        let found = build::links::<LinkOf<L>>(n, &faces, pairing, false, Self::HOLDS, fresh)?;
         let link = |i: usize| self.link_if_any(HalfEdgeId::new(i)).half_edge();
         let differs = |i: &usize| found.opposite[*i].half_edge() != link(*i);
         if let Some(index) = (0..found.opposite.len()).find(differs) {

@@ -70,6 +70,7 @@ pub mod vector;
 
 mod adjacency;
 mod boundaries;
+mod builder;
 mod disjoint_sets;
 mod edge_map;
 mod error;
@@ -90,6 +91,7 @@ mod workers;
 
 pub use adjacency::Adjacency;
 pub use boundaries::Boundaries;
+pub use builder::{Builder, Recycle};
 pub use defects::Defects;
 pub use edge_map::EdgeMap;
 pub use error::BuildError;
