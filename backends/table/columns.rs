@@ -151,9 +151,10 @@ impl<L: Layout, S: Storage> Table<L, S> {
 
     /// Links lead to half-edges that exist.
     fn check_links(&self, column: &'static str, links: &[LinkOf<L>]) -> Checked {
-        let bound = 3 * self.face_count;
+        // As a word, like the links: four are compared at a time. No half-edge has the last number.
+        let bound = u32::try_from(3 * self.face_count).unwrap_or(u32::MAX);
         // Looked at once more where one is out of range, so that the loop is without a branch until then.
-        let past = |link: &LinkOf<L>| link.half_edge().is_some_and(|h| h.index() >= bound);
+        let past = |link: &LinkOf<L>| link.half_edge().is_some_and(|h| h.index() as u32 >= bound);
         if links.iter().fold(false, |any, link| any | past(link)) {
             let index = links.iter().position(past).unwrap_or(0);
             return Err(Invalid::element(column, index, check::OUT_OF_RANGE));

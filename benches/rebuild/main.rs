@@ -1,7 +1,7 @@
 //! Building in fresh memory beside building in the memory of the mesh before, by turns in one process.
 //!
 //! `cargo bench --bench rebuild`: nanoseconds a triangle, medians.
-use onering::{Builder, CheL1, DirectedEdgesSmall, FromFaces, MateFace, Recycle, conformance};
+use onering::{Builder, CheL1, DirectedEdgesSmall, MateFace, Recycle, conformance};
 use std::collections::HashMap;
 use std::hint::black_box;
 use std::time::Instant;

@@ -69,24 +69,9 @@ impl Vertices {
 
     /// Puts opposites into `cells`, whatever they held. Gives whether patience was enough.
     fn pair(&mut self, faces: &[[u32; 3]], cells: &mut [u32]) -> bool {
-        let mut lists = Lists {
-            origins: faces.as_flattened(),
-            open: &mut self.open,
-            filters: &mut self.filters,
-            cells,
-            edge_count: 0,
-            patience: PATIENCE * 3 * faces.len(),
-        };
-        for (f, &[a, b, c]) in faces.iter().enumerate() {
-            for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
-                if !lists.add((3 * f + k) as u32, a, b) {
-                    return false;
-                }
-            }
-        }
-        self.edge_count = lists.edge_count;
-        lists.close();
-        true
+        let edge_count = pair_all(faces, &mut self.open, &mut self.filters, cells);
+        self.edge_count = edge_count.unwrap_or(0);
+        edge_count.is_some()
     }
 
     pub(super) fn filters(&self) -> &[Filter] {
@@ -97,6 +82,31 @@ impl Vertices {
     pub(super) fn half_edge(&self, low: u32) -> HalfEdgeId {
         HalfEdgeId::new((self.open[low as usize] & !END) as usize)
     }
+}
+
+/// Gives the number of edges, unless patience was not enough.
+///
+/// Never inline: that its tables lie apart, which the loop is a third faster for, is known of arguments, but not of tables
+/// that may have come from anywhere.
+#[inline(never)]
+fn pair_all(
+    faces: &[[u32; 3]],
+    open: &mut [u32],
+    filters: &mut [Filter],
+    cells: &mut [u32],
+) -> Option<usize> {
+    let (origins, patience) = (faces.as_flattened(), PATIENCE * 3 * faces.len());
+    let mut lists = Lists { origins, open, filters, cells, edge_count: 0, patience };
+    for (f, &[a, b, c]) in faces.iter().enumerate() {
+        for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
+            if !lists.add((3 * f + k) as u32, a, b) {
+                return None;
+            }
+        }
+    }
+    let edge_count = lists.edge_count;
+    lists.close();
+    Some(edge_count)
 }
 
 /// The edges of a lower vertex: a bit for each in the lower 56, which others may share, and their number above that,
