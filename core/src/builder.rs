@@ -51,10 +51,16 @@ impl Default for Builder {
     }
 }
 
-/// A structure that can be built in the memory of another one, by a [`Builder`].
+/// A structure that can be built in the memory of another one, by a [`Builder`]. Others are built by [`FromFaces`] alone:
+///
+/// ```compile_fail,E0277
+/// # use onering::*;
+/// let mesh: HalfEdgeMesh = Builder::new().build(3, &[[0, 1, 2]])?;
+/// # Ok::<(), BuildError>(())
+/// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is always built in fresh memory",
-    note = "build it by `FromFaces`; the documentation of `Recycle` lists the structures that a `Builder` builds"
+    note = "build it by `FromFaces`; the rows of `onering::layout` and `MateFace` can be built by a `Builder`"
 )]
 pub trait Recycle: FromFaces {
     /// As [`build`](FromFaces::build), in spare tables where there are any.

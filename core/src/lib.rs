@@ -17,7 +17,8 @@
 //! The structures themselves, and the table of what each takes and has, are in the crate `onering`. What a mesh lacks,
 //! [`WithOpposites`], [`WithOutgoing`] and [`Searched`] add.
 //!
-//! - Input: [`Defects`] names what is wrong with a list of triangles, [`repair()`] mends it.
+//! - Input: [`Defects`] names what is wrong with a list of triangles, [`repair()`] mends it; [`Builder`] builds mesh after
+//!   mesh in the same memory.
 //! - Algorithms on connectivity: [`relations`], [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`],
 //!   [`umbrella`], [`orientation`], [`euler`], [`degrees`], [`dual`], [`submesh`].
 //! - Algorithms that take positions: [`normals`], [`measure`], [`curvature`], [`smoothing`], [`distance`], [`nearest`],
