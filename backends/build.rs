@@ -4,7 +4,8 @@ use alloc::{borrow::Cow, vec::Vec};
 use onering_core::{
     Adjacency, BuildError, FaceId, HalfEdgeId, Handle, Pairing, Slot, Topology, VertexId, boundary, corner,
     fans::{self, Fans},
-    memory, pairing,
+    memory::{self, Spare},
+    pairing,
 };
 
 /// Records of irregular elements, one after the other: each its length, then its half-edges. Places are counted
@@ -77,8 +78,10 @@ pub(crate) fn links<K: Link>(
     pairing: Pairing,
     with_outgoing: bool,
     holds: bool,
+    spare: &mut Spare,
 ) -> Result<Links<K>, BuildError> {
-    let paired = pairing::pair(vertex_count, faces, pairing)?;
+    let table = spare.table(3 * faces.len())?;
+    let paired = pairing::pair_into(vertex_count, faces, pairing, table, spare)?;
     let mut edge_records = Records::default();
     let opposite = if holds {
         edge_records = Records::new(paired.irregular.iter())?;
@@ -88,7 +91,7 @@ pub(crate) fn links<K: Link>(
     };
     let (mut outgoing, mut vertex_records) = (Vec::new(), Records::default());
     if with_outgoing {
-        let fans = fans_of(vertex_count, faces, &opposite)?;
+        let fans = fans_of(vertex_count, faces, &opposite, spare.room(vertex_count)?)?;
         if holds {
             vertex_records = Records::new(fans.several.iter().map(|(_, starts)| &starts[..]))?;
             outgoing = into_links(fans.outgoing.into_vec());
@@ -108,13 +111,14 @@ pub(crate) fn links<K: Link>(
     Ok(Links { opposite, edge_records, outgoing, vertex_records })
 }
 
-/// The fans of faces with opposites, before there is a mesh.
+/// The fans of faces with opposites, before there is a mesh, into `table`.
 pub(crate) fn fans_of<'a>(
     vertex_count: usize,
     faces: &'a [[u32; 3]],
     opposite: &'a [Slot<HalfEdgeId>],
+    table: Vec<Slot<HalfEdgeId>>,
 ) -> Result<Fans<impl Topology<Vertex = VertexId, HalfEdge = HalfEdgeId> + use<'a>>, BuildError> {
-    fans::fans(&View { vertex_count, faces, opposite })
+    fans::fans_into(&View { vertex_count, faces, opposite }, table)
 }
 
 /// The same table in another coding, in place.
@@ -136,17 +140,17 @@ impl<K: Link> Links<K> {
     }
 
     /// The least half-edge of each edge, ascending.
-    pub(crate) fn edge_list(&self) -> Result<Vec<HalfEdgeId>, BuildError> {
+    pub(crate) fn edge_list(&self, spare: &mut Spare) -> Result<Vec<HalfEdgeId>, BuildError> {
         let is_least = |&h: &usize| self.least(h) == h;
         let half_edges = 0..self.opposite.len();
-        let mut list = memory::with_room(half_edges.clone().filter(is_least).count())?;
+        let mut list = spare.room(half_edges.clone().filter(is_least).count())?;
         list.extend(half_edges.filter(is_least).map(HalfEdgeId::new));
         Ok(list)
     }
 
     /// The edge of each half-edge, as its place in the list.
-    pub(crate) fn edge_index(&self) -> Result<Vec<onering_core::EdgeId>, BuildError> {
-        let mut index = memory::filled(self.opposite.len(), Handle::new(0))?;
+    pub(crate) fn edge_index(&self, spare: &mut Spare) -> Result<Vec<onering_core::EdgeId>, BuildError> {
+        let mut index: Vec<onering_core::EdgeId> = spare.table(self.opposite.len())?;
         let mut count = 0;
         for h in 0..self.opposite.len() {
             let least = self.least(h);
@@ -223,18 +227,32 @@ impl<K: Link> Adjacency for View<'_, K> {
 }
 
 /// The faces as a column of origins: the same memory where it is ours.
-pub(crate) fn into_origins(faces: Cow<'_, [[u32; 3]]>) -> Result<Vec<VertexId>, BuildError> {
-    Ok(bytemuck::cast_vec(memory::owned(faces)?.into_flattened()))
+pub(crate) fn into_origins(
+    faces: Cow<'_, [[u32; 3]]>,
+    spare: &mut Spare,
+) -> Result<Vec<VertexId>, BuildError> {
+    let words = match faces {
+        Cow::Owned(faces) => faces.into_flattened(),
+        Cow::Borrowed(faces) => {
+            let mut words = spare.room(3 * faces.len())?;
+            words.extend_from_slice(faces.as_flattened());
+            words
+        }
+    };
+    Ok(bytemuck::cast_vec(words))
 }
 
 /// The faces as a column of targets: the same memory, each face turned by one, where it is ours.
-pub(crate) fn into_targets(faces: Cow<'_, [[u32; 3]]>) -> Result<Vec<VertexId>, BuildError> {
-    let mut faces = memory::owned(faces)?;
-    faces.iter_mut().for_each(|f| f.rotate_left(1));
-    into_origins(Cow::Owned(faces))
+pub(crate) fn into_targets(
+    faces: Cow<'_, [[u32; 3]]>,
+    spare: &mut Spare,
+) -> Result<Vec<VertexId>, BuildError> {
+    let mut vertices = into_origins(faces, spare)?;
+    vertices.as_chunks_mut::<3>().0.iter_mut().for_each(|face| face.rotate_left(1));
+    Ok(vertices)
 }
 
 /// A column of targets beside one of origins.
-pub(crate) fn targets(faces: &[[u32; 3]]) -> Result<Vec<VertexId>, BuildError> {
-    into_targets(Cow::Borrowed(faces))
+pub(crate) fn targets(faces: &[[u32; 3]], spare: &mut Spare) -> Result<Vec<VertexId>, BuildError> {
+    into_targets(Cow::Borrowed(faces), spare)
 }

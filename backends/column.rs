@@ -45,6 +45,9 @@ pub trait Cells<S: Storage, T: Element>: Debug + Clone + Send + Sync {
 
     /// The cells; none where nothing is kept.
     fn as_slice(&self) -> &[T];
+
+    /// The cells to be kept elsewhere, where there is memory for any.
+    fn into_slice(self) -> Option<S::Slice<T>>;
 }
 
 /// Kept in memory: one load.
@@ -111,6 +114,10 @@ impl<S: Storage, T: Element> Cells<S, T> for InMemory<S, T> {
     fn as_slice(&self) -> &[T] {
         &self.0
     }
+
+    fn into_slice(self) -> Option<S::Slice<T>> {
+        Some(self.0)
+    }
 }
 
 /// Cells of a column that takes no memory.
@@ -124,6 +131,10 @@ impl<S: Storage, T: Element> Cells<S, T> for Nowhere<T> {
 
     fn as_slice(&self) -> &[T] {
         &[]
+    }
+
+    fn into_slice(self) -> Option<S::Slice<T>> {
+        None
     }
 }
 

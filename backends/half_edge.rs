@@ -9,7 +9,9 @@ use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
 use onering_core::{
     Adjacency, BuildError, FaceId, FromFaces, HalfEdgeId, Handle, Incidence, Pairing, Slot, Topology,
-    VertexId, corner, memory, pairing,
+    VertexId, corner,
+    memory::{self, Spare},
+    pairing,
 };
 
 /// What a half-edge knows. One record, so that a step reads one cache line.
@@ -54,7 +56,8 @@ impl<S: Storage> fmt::Debug for HalfEdgeMesh<S> {
 impl FromFaces for HalfEdgeMesh {
     fn build(vertex_count: usize, faces: Cow<'_, [[u32; 3]]>, pairing: Pairing) -> Result<Self, BuildError> {
         pairing::check_counts(vertex_count, faces.len(), HalfEdgeId::MAX_INDEX)?;
-        let links: Links<Slot<HalfEdgeId>> = build::links(vertex_count, &faces, pairing, true, false)?;
+        let fresh = &mut Spare::default();
+        let links: Links<Slot<HalfEdgeId>> = build::links(vertex_count, &faces, pairing, true, false, fresh)?;
         let record = |(h, &opposite): (usize, &Slot<HalfEdgeId>)| {
             let vertex = VertexId::new(corner::origin(&faces, h) as usize);
             let h = HalfEdgeId::new(h);

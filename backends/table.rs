@@ -6,13 +6,13 @@ use crate::build::{self, Links};
 use crate::column::{Answered, Cells, Kept, Policy};
 use crate::layout::{Defects, Edges, Layout};
 use crate::link::{Coding, Link};
-use crate::storage::{Owned, Storage};
+use crate::storage::{Element, Owned, Storage};
 use alloc::{borrow::Cow, vec::Vec};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
 use onering_core::{
     Adjacency, Boundaries, BuildError, CurveId, EdgeId, EdgeMap, FaceId, FromFaces, HalfEdgeId, Handle,
-    Incidence, Pairing, Topology, VertexId, corner, memory, pairing,
+    Incidence, Pairing, Recycle, Topology, VertexId, corner, memory::Spare, pairing,
 };
 
 type Column<P, S, T> = <P as Policy>::Cells<S, T>;
@@ -131,10 +131,22 @@ impl<L: Layout, S: Storage> Table<L, S> {
 
 impl<L: Layout> FromFaces for Table<L> {
     fn build(vertex_count: usize, faces: Cow<'_, [[u32; 3]]>, pairing: Pairing) -> Result<Self, BuildError> {
+        Self::build_in(vertex_count, faces, pairing, &mut Spare::default())
+    }
+}
+
+/// Curves and records are made afresh each time.
+impl<L: Layout> Recycle for Table<L> {
+    fn build_in(
+        vertex_count: usize,
+        faces: Cow<'_, [[u32; 3]]>,
+        pairing: Pairing,
+        spare: &mut Spare,
+    ) -> Result<Self, BuildError> {
         let () = Self::IS_SOUND;
         pairing::check_counts(vertex_count, faces.len(), L::Links::MAX_HALF_EDGES)?;
         let mut links = if Self::PAIRS {
-            build::links(vertex_count, &faces, pairing, L::Outgoing::CELLS > 0, Self::HOLDS)?
+            build::links(vertex_count, &faces, pairing, L::Outgoing::CELLS > 0, Self::HOLDS, spare)?
         } else {
             pairing::check_vertices(vertex_count, &faces)?;
             Links::default()
@@ -142,25 +154,30 @@ impl<L: Layout> FromFaces for Table<L> {
         let face_count = faces.len();
         let half_edges = || (0..3 * face_count).map(HalfEdgeId::new);
         // Curves last: they renumber what the links say.
-        let edge_list = Cells::build(|| links.edge_list())?;
-        let edge_index = Cells::build(|| links.edge_index())?;
+        let edge_list = Cells::build(|| links.edge_list(spare))?;
+        let edge_index = Cells::build(|| links.edge_index(spare))?;
         let curve_list = Cells::build(|| links.name_curves(&faces))?;
         Self::place_links(&mut links.opposite);
         let (origin, target);
         if L::Origin::CELLS > 0 {
-            target = Cells::build(|| build::targets(&faces))?;
-            origin = Cells::build(|| build::into_origins(faces))?;
+            target = Cells::build(|| build::targets(&faces, spare))?;
+            origin = Cells::build(|| build::into_origins(faces, spare))?;
         } else {
             origin = Cells::build(|| Ok(Vec::new()))?;
-            target = Cells::build(|| build::into_targets(faces))?;
+            target = Cells::build(|| build::into_targets(faces, spare))?;
         }
+        let mut in_faces = |of: fn(HalfEdgeId) -> HalfEdgeId| {
+            let mut column = spare.room(3 * face_count)?;
+            column.extend(half_edges().map(of));
+            Ok(column)
+        };
         let table = Self {
             vertex_count,
             face_count,
             origin,
             target,
-            next: Cells::build(|| memory::collected(half_edges().map(corner::next)))?,
-            prev: Cells::build(|| memory::collected(half_edges().map(corner::prev)))?,
+            next: Cells::build(|| in_faces(corner::next))?,
+            prev: Cells::build(|| in_faces(corner::prev))?,
             opposite: Cells::build(|| Ok(links.opposite))?,
             outgoing: Cells::build(|| Ok(links.outgoing))?,
             edge_list,
@@ -171,6 +188,23 @@ impl<L: Layout> FromFaces for Table<L> {
         };
         assert!(table.check_turns().is_ok(), "pairing gives half-edges that exist");
         Ok(table)
+    }
+
+    fn leave(self, spare: &mut Spare) {
+        leave(self.origin, spare);
+        leave(self.target, spare);
+        leave(self.next, spare);
+        leave(self.prev, spare);
+        leave(self.opposite, spare);
+        leave(self.outgoing, spare);
+        leave(self.edge_list, spare);
+        leave(self.edge_index, spare);
+    }
+}
+
+fn leave<T: Element>(column: impl Cells<Owned, T>, spare: &mut Spare) {
+    if let Some(cells) = column.into_slice() {
+        spare.keep(cells.into_vec());
     }
 }
 

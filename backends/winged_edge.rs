@@ -9,7 +9,9 @@ use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
 use onering_core::{
     Adjacency, BuildError, EdgeId, EdgeMap, FaceId, FromFaces, HalfEdgeId, Handle, Incidence, Pairing, Slot,
-    Topology, VertexId, corner, memory, pairing,
+    Topology, VertexId, corner,
+    memory::{self, Spare},
+    pairing,
 };
 
 /// What an edge knows. Side 0 runs from the first vertex to the second and always has a face.
@@ -84,10 +86,11 @@ impl<S: Storage> fmt::Debug for WingedEdge<S> {
 impl FromFaces for WingedEdge {
     fn build(vertex_count: usize, faces: Cow<'_, [[u32; 3]]>, pairing: Pairing) -> Result<Self, BuildError> {
         pairing::check_counts(vertex_count, faces.len(), HalfEdgeId::MAX_INDEX)?;
-        let links: Links<Slot<HalfEdgeId>> = build::links(vertex_count, &faces, pairing, true, false)?;
-        let list = links.edge_list()?;
+        let fresh = &mut Spare::default();
+        let links: Links<Slot<HalfEdgeId>> = build::links(vertex_count, &faces, pairing, true, false, fresh)?;
+        let list = links.edge_list(fresh)?;
         check_handles(list.len())?;
-        let index = links.edge_index()?;
+        let index = links.edge_index(fresh)?;
         let vertex = |v: u32| VertexId::new(v as usize);
         let edge = |&h: &HalfEdgeId| {
             let sides = [Slot::some(h), links.opposite[h.index()]];

@@ -13,6 +13,8 @@ thread_local! {
     static LIVE: Cell<isize> = const { Cell::new(0) };
     /// The most that there were since this was last set.
     static PEAK: Cell<isize> = const { Cell::new(0) };
+    /// Bytes that were asked for since this was last set, whether or not they were freed.
+    static ASKED: Cell<isize> = const { Cell::new(0) };
 }
 
 struct Counting;
@@ -25,6 +27,7 @@ fn count(bytes: isize) {
     let _ = LIVE.try_with(|live| {
         live.set(live.get() + bytes);
         PEAK.with(|peak| peak.set(peak.get().max(live.get())));
+        ASKED.with(|asked| asked.set(asked.get() + bytes.max(0)));
     });
 }
 
@@ -120,6 +123,32 @@ macro_rules! peaks {
     };
 }
 peaks!(CheL1 CheL2 CheL3 DirectedEdgesSmall DirectedEdgesMedium DirectedEdgesFull MateFace);
+
+/// A mesh in order takes no memory but that of the one before it of the same size, whatever its faces are: only a list of
+/// the few vertices that the chain is in doubt about, less than a page.
+macro_rules! rebuilds {
+    ($($mesh:ty)+) => {
+        #[test]
+        fn building_again_takes_next_to_nothing() {
+            let (faces, turned) = (laws::torus(120, 100), laws::torus(100, 120));
+            $(
+                let mut builder = Builder::new();
+                let mesh: $mesh = builder.build(12_000, &faces).unwrap();
+                builder.recycle(mesh);
+                let live = LIVE.get();
+                for faces in [&faces, &turned, &faces] {
+                    ASKED.set(0);
+                    let mesh: $mesh = builder.build(12_000, faces).unwrap();
+                    builder.recycle(mesh);
+                    assert!(ASKED.get() < 4096, "{}: {}", stringify!($mesh), ASKED.get());
+                }
+                assert_eq!(LIVE.get(), live, "{}: what is spare does not grow", stringify!($mesh));
+            )+
+        }
+    };
+}
+rebuilds!(SharedVertex CheL0 CheL1 CheL2 CheL2EdgeTable DirectedEdgesSmall DirectedEdgesMedium DirectedEdgesFull
+    MateFace);
 
 /// For what is made by a function of its own, which gives maps as well.
 fn counts_what_is_encoded<M: Clone>(

@@ -5,6 +5,7 @@
 mod random;
 
 use onering::conformance::torus;
+use onering::memory::Spare;
 use onering::pairing::{pair, pair_into};
 use onering::{Handle, Pairing, Slot};
 use proptest::prelude::*;
@@ -155,11 +156,12 @@ fn who_paired_is_told() {
 #[test]
 fn a_table_is_overwritten() {
     let faces = torus(20, 30);
+    let mut spare = Spare::default();
     for pairing in Pairing::ALL {
         let expected = pair(600, &faces, pairing).unwrap();
         for length in [0, 1, 3600, 5000] {
             let table = (0..length).map(|i| Slot::some(Handle::new(i))).collect();
-            assert_eq!(pair_into(600, &faces, pairing, table).unwrap(), expected, "{pairing}");
+            assert_eq!(pair_into(600, &faces, pairing, table, &mut spare).unwrap(), expected, "{pairing}");
         }
     }
 }

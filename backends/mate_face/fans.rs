@@ -54,16 +54,17 @@ pub(super) fn find(vertex_count: usize, cells: &[Cell]) -> Result<(Vec<CodedLink
 }
 
 /// The same for faces that agree in orientation, found by their opposites: a fan is then what it is for all structures, and
-/// its start is in the lowest face.
+/// its start is in the lowest face. The links are in the memory of `table`.
 pub(super) fn of_opposites(
     vertex_count: usize,
     faces: &[[u32; 3]],
     opposite: &[Slot<HalfEdgeId>],
+    table: Vec<Slot<HalfEdgeId>>,
 ) -> Result<(Vec<CodedLink>, Vec<u32>), BuildError> {
-    let fans = fans_of(vertex_count, faces, opposite)?;
+    let fans = fans_of(vertex_count, faces, opposite, table)?;
     let face = |h: HalfEdgeId| FaceId::new(h.index() / 3);
     let link = |start: Slot<HalfEdgeId>| CodedLink::from(Slot::from(start.get().map(face).map(as_number)));
-    let mut links = memory::collected(fans.outgoing.into_vec().into_iter().map(link))?;
+    let mut links: Vec<CodedLink> = fans.outgoing.into_vec().into_iter().map(link).collect(); // in place
     let mut records = memory::with_room(fans.several.iter().map(|(_, starts)| 1 + starts.len()).sum())?;
     for (v, starts) in &fans.several {
         links[v.index()] = numbered(records.len())?;

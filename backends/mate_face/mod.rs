@@ -11,8 +11,10 @@ use cell::{Cell, NEXT, PREV, Walk};
 use core::fmt;
 use onering_core::footprint::{Bytes, Footprint};
 use onering_core::{
-    Adjacency, BuildError, FaceId, FromFaces, HalfEdgeId, Handle, Incidence, Pairing, Slot, Topology,
-    VertexId, memory, pairing,
+    Adjacency, BuildError, FaceId, FromFaces, HalfEdgeId, Handle, Incidence, Pairing, Recycle, Slot,
+    Topology, VertexId,
+    memory::{self, Spare},
+    pairing,
 };
 
 /// Mate-Face (Lizier and Cunha; Biscaro et al. 2016, section 4.1): for each face three vertices and three
@@ -141,14 +143,28 @@ fn cells(faces: &[[u32; 3]], across: Vec<Slot<HalfEdgeId>>) -> Result<Box<[Cell]
 
 impl FromFaces for MateFace {
     fn build(vertex_count: usize, faces: Cow<'_, [[u32; 3]]>, pairing: Pairing) -> Result<Self, BuildError> {
+        Self::build_in(vertex_count, faces, pairing, &mut Spare::default())
+    }
+}
+
+/// Records are made afresh each time, and the vertices where faces disagree in orientation.
+impl Recycle for MateFace {
+    fn build_in(
+        vertex_count: usize,
+        faces: Cow<'_, [[u32; 3]]>,
+        pairing: Pairing,
+        spare: &mut Spare,
+    ) -> Result<Self, BuildError> {
         pairing::check_counts(vertex_count, faces.len(), Coded::MAX_HALF_EDGES)?;
         // Opposites become mates where they are: so there is room for cells from the start.
-        let mut table = memory::zeroed(6 * faces.len())?;
+        let mut table = spare.table(6 * faces.len())?;
         table.truncate(3 * faces.len());
-        let paired = pairing::pair_into(vertex_count, &faces, pairing, table)?.refuse_non_manifold(&faces)?;
+        let paired = pairing::pair_into(vertex_count, &faces, pairing, table, spare)?;
+        let paired = paired.refuse_non_manifold(&faces)?;
         let mut across = paired.opposite;
         if paired.irregular.is_empty() {
-            let (vertices, records) = fans::of_opposites(vertex_count, &faces, &across)?;
+            let table = spare.room(vertex_count)?;
+            let (vertices, records) = fans::of_opposites(vertex_count, &faces, &across, table)?;
             let cells = cells(&faces, across)?;
             return Ok(Self { cells, vertices: vertices.into(), records: records.into() });
         }
@@ -160,6 +176,12 @@ impl FromFaces for MateFace {
         let cells = cells(&faces, across)?;
         let (vertices, records) = fans::find(vertex_count, &cells)?;
         Ok(Self { cells, vertices: vertices.into(), records: records.into() })
+    }
+
+    fn leave(self, spare: &mut Spare) {
+        let words: Box<[u32]> = bytemuck::allocation::cast_slice_box(self.cells);
+        spare.keep(words.into_vec());
+        spare.keep(self.vertices.into_vec());
     }
 }
 

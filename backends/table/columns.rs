@@ -9,7 +9,9 @@ use crate::link::{Coding, Link};
 use crate::storage::{Element, Storage};
 use alloc::{borrow::Cow, string::String, vec::Vec};
 use onering_core::{
-    Adjacency, FaceId, HalfEdgeId, Handle, Pairing, Topology, VertexId, boundary, corner, memory, pairing,
+    Adjacency, FaceId, HalfEdgeId, Handle, Pairing, Topology, VertexId, boundary, corner,
+    memory::{self, Spare},
+    pairing,
 };
 
 /// `CheL2` is `che-l2` in the registry.
@@ -149,9 +151,10 @@ impl<L: Layout, S: Storage> Table<L, S> {
 
     /// Links lead to half-edges that exist.
     fn check_links(&self, column: &'static str, links: &[LinkOf<L>]) -> Checked {
-        let bound = 3 * self.face_count;
+        // As a word, like the links: four are compared at a time. No half-edge has the last number.
+        let bound = u32::try_from(3 * self.face_count).unwrap_or(u32::MAX);
         // Looked at once more where one is out of range, so that the loop is without a branch until then.
-        let past = |link: &LinkOf<L>| link.half_edge().is_some_and(|h| h.index() >= bound);
+        let past = |link: &LinkOf<L>| link.half_edge().is_some_and(|h| h.index() as u32 >= bound);
         if links.iter().fold(false, |any, link| any | past(link)) {
             let index = links.iter().position(past).unwrap_or(0);
             return Err(Invalid::element(column, index, check::OUT_OF_RANGE));
@@ -235,7 +238,9 @@ impl<L: Layout, S: Storage> Table<L, S> {
     fn compare_opposites(&self) -> Checked {
         let faces = self.faces().map(|f| self.face_vertices(f).map(|v| v.index() as u32));
         let faces = memory::collected(faces)?;
-        let found = build::links::<LinkOf<L>>(self.vertex_count, &faces, Pairing::Auto, false, Self::HOLDS)?;
+        let fresh = &mut Spare::default();
+        let (n, pairing) = (self.vertex_count, Pairing::Auto);
+        let found = build::links::<LinkOf<L>>(n, &faces, pairing, false, Self::HOLDS, fresh)?;
         let link = |i: usize| self.link_if_any(HalfEdgeId::new(i)).half_edge();
         let differs = |i: &usize| found.opposite[*i].half_edge() != link(*i);
         if let Some(index) = (0..found.opposite.len()).find(differs) {

@@ -18,8 +18,17 @@ pub struct Fans<M: Topology> {
 /// # Errors
 /// [`BuildError::OutOfMemory`].
 pub fn fans<M: Adjacency>(mesh: &M) -> Result<Fans<M>, BuildError> {
-    let mut outgoing: Map<M::Vertex, Slot<M::HalfEdge>> =
-        memory::filled(mesh.vertex_count(), Slot::NONE)?.into();
+    fans_into(mesh, Vec::new())
+}
+
+/// The same into a table that there is: it becomes [`Fans::outgoing`], of whatever length it was and whatever it held.
+///
+/// # Errors
+/// As for [`fans`].
+pub fn fans_into<M: Adjacency>(mesh: &M, mut table: Vec<Slot<M::HalfEdge>>) -> Result<Fans<M>, BuildError> {
+    table.clear();
+    memory::resize(&mut table, mesh.vertex_count(), Slot::NONE)?;
+    let mut outgoing: Map<M::Vertex, Slot<M::HalfEdge>> = table.into();
     // A fan's start comes before both its neighbours. So does many another half-edge, but most see a better one near by.
     let mut is_clear = true;
     for h in mesh.half_edges() {

@@ -17,7 +17,8 @@
 //! The structures themselves, and the table of what each takes and has, are in the crate `onering`. What a mesh lacks,
 //! [`WithOpposites`], [`WithOutgoing`] and [`Searched`] add.
 //!
-//! - Input: [`Defects`] names what is wrong with a list of triangles, [`repair()`] mends it.
+//! - Input: [`Defects`] names what is wrong with a list of triangles, [`repair()`] mends it; [`Builder`] builds mesh after
+//!   mesh in the same memory.
 //! - Algorithms on connectivity: [`relations`], [`k_ring`], [`star`], [`boundary`], [`edges`], [`components`],
 //!   [`umbrella`], [`orientation`], [`euler`], [`degrees`], [`dual`], [`submesh`].
 //! - Algorithms that take positions: [`normals`], [`measure`], [`curvature`], [`smoothing`], [`distance`], [`nearest`],
@@ -70,6 +71,7 @@ pub mod vector;
 
 mod adjacency;
 mod boundaries;
+mod builder;
 mod disjoint_sets;
 mod edge_map;
 mod error;
@@ -90,6 +92,7 @@ mod workers;
 
 pub use adjacency::Adjacency;
 pub use boundaries::Boundaries;
+pub use builder::{Builder, Recycle};
 pub use defects::Defects;
 pub use edge_map::EdgeMap;
 pub use error::BuildError;

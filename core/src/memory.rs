@@ -2,14 +2,16 @@
 use crate::BuildError;
 use alloc::{borrow::Cow, vec::Vec};
 
+mod spare;
+pub use spare::Spare;
+
 /// An empty table with room for exactly `count` values.
 ///
 /// # Errors
 /// [`BuildError::OutOfMemory`], as for all functions here.
 pub fn with_room<T>(count: usize) -> Result<Vec<T>, BuildError> {
     let mut table = Vec::new();
-    let failed = |_| BuildError::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) };
-    table.try_reserve_exact(count).map_err(failed)?;
+    reserve_exact(&mut table, count)?;
     Ok(table)
 }
 
@@ -31,10 +33,15 @@ pub fn zeroed<T: bytemuck::Zeroable>(count: usize) -> Result<Vec<T>, BuildError>
 /// Makes a table longer, by `value`, or shorter.
 #[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
 pub fn resize<T: Clone>(table: &mut Vec<T>, count: usize, value: T) -> Result<(), BuildError> {
-    let failed = |_| BuildError::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) };
-    table.try_reserve_exact(count.saturating_sub(table.len())).map_err(failed)?;
+    reserve_exact(table, count)?;
     table.resize(count, value);
     Ok(())
+}
+
+/// Room for `count` values in all.
+fn reserve_exact<T>(table: &mut Vec<T>, count: usize) -> Result<(), BuildError> {
+    let failed = |_| BuildError::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) };
+    table.try_reserve_exact(count.saturating_sub(table.len())).map_err(failed)
 }
 
 /// A table of the values of an iterator that knows its length.

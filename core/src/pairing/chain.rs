@@ -5,7 +5,7 @@
 //! like the first of a new one. So a vertex has a filter as well, one bit of 56 for each edge by its other end, and counts
 //! its edges. Where they are more than bits are set, two may be one: [`doubts`] settles that in the end.
 use super::{Paired, Pairing, doubts, joiner::Joiner, partition};
-use crate::{BuildError, HalfEdgeId, Handle, Slot, corner, memory};
+use crate::{BuildError, HalfEdgeId, Handle, Slot, corner, memory::Spare};
 use alloc::vec::Vec;
 
 /// Ends the table of opposites as none, and is the list of a vertex that had no edge.
@@ -22,21 +22,22 @@ pub(super) fn pair(
     vertex_count: usize,
     faces: &[[u32; 3]],
     table: Vec<Slot<HalfEdgeId>>,
+    spare: &mut Spare,
 ) -> Result<Paired, BuildError> {
     if table.len() > END as usize {
         return partition::pair(vertex_count, faces, table);
     }
     let mut cells: Vec<u32> = bytemuck::cast_vec(table);
-    let mut vertices = Vertices::new(vertex_count)?;
+    let mut vertices = Vertices::new(vertex_count, spare)?;
     let is_done = vertices.pair(faces, &mut cells);
     let opposite = bytemuck::cast_vec(cells); // `NONE` is none
     if !is_done {
-        drop(vertices);
+        vertices.leave(spare);
         return partition::pair(vertex_count, faces, opposite);
     }
     let mut joiner = Joiner::with(faces, opposite);
     let lows = doubts::unsettled(&vertices, faces, &joiner)?;
-    drop(vertices);
+    vertices.leave(spare);
     if !lows.is_empty() {
         partition::pair_again(vertex_count, faces, Some(&lows), &mut joiner)?;
     }
@@ -53,31 +54,24 @@ pub(super) struct Vertices {
 }
 
 impl Vertices {
-    fn new(vertex_count: usize) -> Result<Self, BuildError> {
-        let (open, filters) = (memory::filled(vertex_count, NONE)?, memory::zeroed(vertex_count)?);
+    fn new(vertex_count: usize, spare: &mut Spare) -> Result<Self, BuildError> {
+        let mut open = spare.room(vertex_count)?;
+        open.resize(vertex_count, NONE);
+        let filters = bytemuck::cast_vec(spare.filters(vertex_count)?);
         Ok(Self { open, filters, edge_count: 0 })
+    }
+
+    /// Leaves its tables to the next mesh.
+    fn leave(self, spare: &mut Spare) {
+        spare.keep(self.open);
+        spare.keep_filters(bytemuck::cast_vec(self.filters));
     }
 
     /// Puts opposites into `cells`, whatever they held. Gives whether patience was enough.
     fn pair(&mut self, faces: &[[u32; 3]], cells: &mut [u32]) -> bool {
-        let mut lists = Lists {
-            origins: faces.as_flattened(),
-            open: &mut self.open,
-            filters: &mut self.filters,
-            cells,
-            edge_count: 0,
-            patience: PATIENCE * 3 * faces.len(),
-        };
-        for (f, &[a, b, c]) in faces.iter().enumerate() {
-            for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
-                if !lists.add((3 * f + k) as u32, a, b) {
-                    return false;
-                }
-            }
-        }
-        self.edge_count = lists.edge_count;
-        lists.close();
-        true
+        let edge_count = pair_all(faces, &mut self.open, &mut self.filters, cells);
+        self.edge_count = edge_count.unwrap_or(0);
+        edge_count.is_some()
     }
 
     pub(super) fn filters(&self) -> &[Filter] {
@@ -90,9 +84,34 @@ impl Vertices {
     }
 }
 
+/// Gives the number of edges, unless patience was not enough.
+///
+/// Never inline: that its tables lie apart, which the loop is half again as fast for, is known of arguments, but not of tables
+/// that may have come from anywhere.
+#[inline(never)]
+fn pair_all(
+    faces: &[[u32; 3]],
+    open: &mut [u32],
+    filters: &mut [Filter],
+    cells: &mut [u32],
+) -> Option<usize> {
+    let (origins, patience) = (faces.as_flattened(), PATIENCE * 3 * faces.len());
+    let mut lists = Lists { origins, open, filters, cells, edge_count: 0, patience };
+    for (f, &[a, b, c]) in faces.iter().enumerate() {
+        for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
+            if !lists.add((3 * f + k) as u32, a, b) {
+                return None;
+            }
+        }
+    }
+    let edge_count = lists.edge_count;
+    lists.close();
+    Some(edge_count)
+}
+
 /// The edges of a lower vertex: a bit for each in the lower 56, which others may share, and their number above that,
 /// from 255 on less some 256.
-#[derive(Clone, Copy, bytemuck::Zeroable)]
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(transparent)]
 pub(super) struct Filter(u64);
 

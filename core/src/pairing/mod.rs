@@ -12,7 +12,10 @@ mod paper_hash;
 mod partition;
 mod quadratic;
 
-use crate::{BuildError, HalfEdgeId, Slot, memory};
+use crate::{
+    BuildError, HalfEdgeId, Slot,
+    memory::{self, Spare},
+};
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -102,10 +105,11 @@ pub struct Paired {
 /// half-edges than handles can name; [`BuildError::OutOfMemory`].
 pub fn pair(vertex_count: usize, faces: &[[u32; 3]], pairing: Pairing) -> Result<Paired, BuildError> {
     check_counts(vertex_count, faces.len(), u32::MAX as usize - 1)?;
-    pair_into(vertex_count, faces, pairing, memory::zeroed(3 * faces.len())?)
+    pair_into(vertex_count, faces, pairing, memory::zeroed(3 * faces.len())?, &mut Spare::default())
 }
 
 /// The same into a table that there is: it becomes [`Paired::opposite`], of whatever length it was and whatever it held.
+/// `Chain` takes its scratch from `spare` and gives it back.
 ///
 /// # Errors
 /// As for [`pair`].
@@ -114,13 +118,14 @@ pub fn pair_into(
     faces: &[[u32; 3]],
     pairing: Pairing,
     mut table: Vec<Slot<HalfEdgeId>>,
+    spare: &mut Spare,
 ) -> Result<Paired, BuildError> {
     check_counts(vertex_count, faces.len(), u32::MAX as usize - 1)?;
     memory::resize(&mut table, 3 * faces.len(), Slot::NONE)?;
     check_faces(vertex_count, faces)?;
     let chosen = if pairing == Pairing::Auto { Pairing::choose(vertex_count, faces) } else { pairing };
     match chosen {
-        Pairing::Chain => chain::pair(vertex_count, faces, table),
+        Pairing::Chain => chain::pair(vertex_count, faces, table, spare),
         Pairing::Quadratic => quadratic::pair(faces, table),
         Pairing::PaperHash => paper_hash::pair(faces, table),
         Pairing::Hash => hash::pair(faces, table),
