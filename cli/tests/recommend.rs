@@ -3,7 +3,7 @@
 mod common;
 
 use common::{SQUARE, fresh, onering};
-use onering::registry::{BACKENDS, RENUMBERING};
+use onering::registry::{BACKENDS, COMPRESSED, RENUMBERING};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -26,6 +26,11 @@ fn with(result: &Value, verdicts: &[&str]) -> BTreeSet<String> {
     asked.map(|candidate| candidate["name"].as_str().unwrap().to_owned()).collect()
 }
 
+/// The names of all that give vertices and faces other numbers.
+fn renumbering() -> impl Iterator<Item = &'static str> {
+    RENUMBERING.iter().map(|entry| entry.name).chain(COMPRESSED.iter().map(|entry| entry.name))
+}
+
 const ELIGIBLE: [&str; 3] = ["picked", "slower", "larger"];
 
 /// Three faces on an edge.
@@ -36,17 +41,14 @@ fn without_a_file_a_mesh_is_made_and_everything_has_a_verdict() {
     let (run, result) = recommend(&[]);
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
     let candidates = result["candidates"].as_array().unwrap();
-    assert_eq!(candidates.len(), BACKENDS.len() + RENUMBERING.len());
+    assert_eq!(candidates.len(), BACKENDS.len() + RENUMBERING.len() + COMPRESSED.len());
     assert_eq!((&candidates[0]["verdict"], &candidates[0]["name"]), (&"picked".into(), &result["pick"]));
     assert_eq!(with(&result, &["picked"]).len(), 1);
     // Rings are walked by whoever starts from a vertex, and by graphs.
     let walk = |traits: &[&str]| traits.contains(&"incidence") || traits.contains(&"graph");
     let expected = BACKENDS.iter().filter(|entry| walk(entry.traits)).map(|entry| entry.name.to_owned());
     assert_eq!(with(&result, &ELIGIBLE), expected.collect());
-    assert_eq!(
-        with(&result, &["renumbers"]),
-        RENUMBERING.iter().map(|entry| entry.name.to_owned()).collect()
-    );
+    assert_eq!(with(&result, &["renumbers"]), renumbering().map(str::to_owned).collect());
     for candidate in candidates {
         let is_timed = candidate["times"]["rings"]["median_ns"].is_f64();
         assert_eq!(is_timed, ELIGIBLE.contains(&candidate["verdict"].as_str().unwrap()), "{candidate}");
@@ -157,11 +159,11 @@ fn defects_are_held_or_it_says_that_repair_is_needed() {
 fn the_line_for_cargo_names_a_feature_that_there_is() {
     let manifest = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml")).unwrap();
     let (_, result) = recommend(&["--renumber", "--queries", "build"]);
-    for entry in BACKENDS.iter().chain(RENUMBERING) {
-        let feature = &candidate(&result, entry.name)["feature"];
-        let is_there = manifest.contains(&format!("\n{} = [", entry.name));
-        assert_eq!(feature.is_string(), is_there, "{}", entry.name);
-        assert!(feature.is_null() || *feature == entry.name, "{feature}");
+    for name in BACKENDS.iter().map(|entry| entry.name).chain(renumbering()) {
+        let feature = &candidate(&result, name)["feature"];
+        let is_there = manifest.contains(&format!("\n{name} = ["));
+        assert_eq!(feature.is_string(), is_there, "{name}");
+        assert!(feature.is_null() || *feature == name, "{feature}");
     }
     let file = fresh("cargo", "square.obj", SQUARE);
     let run =

@@ -27,7 +27,8 @@ pub(crate) const NOTES: &[&str] = &[
      one-ring.",
     "Orders: building as the library does it of its own accord, and the sweep, with vertices and faces as they come, \
      shuffled, and that reordered along a Morton curve by position. Shuffled meshes may take very long, so that they \
-     count as quadratic does. `sot` numbers vertices and faces anew: it is asked about the same elements by its maps.",
+     count as quadratic does. `sot` and `compact-stars` number vertices and faces anew: they are asked about the same elements by \
+     their maps.",
     "All answers are compared by checksums, between backends and with the list of triangles. `-` is what a backend \
      cannot answer, or what was left out, as said under the table.",
 ];
@@ -76,11 +77,12 @@ fn memory(mesh: &Mesh) -> Table {
         if let Some(memory) = &row.memory {
             let bytes = [
                 memory.formula_bytes_per_triangle,
-                memory.counted_bytes_per_triangle,
-                memory.peak_bytes_per_triangle,
+                Some(memory.counted_bytes_per_triangle),
+                Some(memory.peak_bytes_per_triangle),
             ];
+            let bytes = bytes.map(|bytes| bytes.map_or("-".into(), |bytes| format!("{bytes:.2}")));
             let words = [row.name, row.mesh, &memory.formula].map(str::to_owned);
-            table.add_row(words.into_iter().chain(bytes.map(|bytes| format!("{bytes:.2}"))));
+            table.add_row(words.into_iter().chain(bytes));
         }
     }
     table

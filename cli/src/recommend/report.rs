@@ -32,7 +32,7 @@ const NOTE: &str = "Times are medians of at least three runs, after one to warm 
 impl fmt::Display for Report<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(pick) = self.pick.map(|place| &self.candidates[place]) {
-            writeln!(f, "{}: {}", pick.entry.name, self.reason(pick))?;
+            writeln!(f, "{}: {}", pick.known.name, self.reason(pick))?;
             writeln!(f, "\nin Cargo.toml:  {}", pick.cargo())?;
             let by_feature =
                 pick.feature().map_or("", |_| ", which is onering::Mesh with that feature alone");
@@ -64,7 +64,7 @@ impl Report<'_> {
         let is_same = self.candidates.iter().any(|candidate| candidate.verdict == Verdict::Larger);
         let rank = if is_same { "the smallest within 5 % of the fastest" } else { "the fastest" };
         let faces =
-            if pick.entry.traits.contains(&"topology") { "" } else { "; it knows neighbours and no faces" };
+            if pick.known.traits.contains(&"topology") { "" } else { "; it knows neighbours and no faces" };
         let after = if self.repair.is_some() { "after repair (--repair), " } else { "" };
         let bytes = |bytes: Option<u64>| Size(bytes.unwrap_or_default());
         format!(
@@ -98,7 +98,7 @@ impl Report<'_> {
         let mut table = table(&header, 2);
         let size = |bytes: Option<u64>| bytes.map_or("-".into(), |bytes| Size(bytes).to_string());
         for candidate in self.ordered() {
-            let mut row = vec![candidate.entry.name.to_owned(), candidate.verdict.to_string()];
+            let mut row = vec![candidate.known.name.to_owned(), candidate.verdict.to_string()];
             row.extend([size(candidate.kept), size(candidate.needs)]);
             row.extend(self.options.queries.iter().map(|query| {
                 let found = candidate.times.iter().find(|(asked, _)| asked == query);
@@ -118,7 +118,7 @@ impl Report<'_> {
             "memory_bytes": options.memory.map(|limit| limit.0),
             "queries": options.queries.iter().map(|query| query.name()).collect::<Vec<_>>(),
             "renumber": options.renumber, "seed": options.seed, "budget_ms": options.budget,
-            "pick": pick.map(|pick| pick.entry.name),
+            "pick": pick.map(|pick| pick.known.name),
             "cargo": pick.map(Candidate::cargo),
             "type": pick.map(|pick| format!("onering::{}", pick.type_name)),
             "reason": pick.map(|pick| self.reason(pick)),
@@ -134,8 +134,8 @@ impl Candidate {
         let times: Map<String, Value> =
             self.times.iter().map(|(question, timing)| (question.name(), json!(timing))).collect();
         json!({
-            "name": self.entry.name, "verdict": self.verdict.word(), "reason": self.verdict.to_string(),
-            "traits": self.entry.traits, "holds": self.entry.holds, "feature": self.feature(),
+            "name": self.known.name, "verdict": self.verdict.word(), "reason": self.verdict.to_string(),
+            "traits": self.known.traits, "holds": self.known.holds, "feature": self.feature(),
             "keeps_bytes": self.kept, "needs_bytes": self.needs, "times": times,
         })
     }

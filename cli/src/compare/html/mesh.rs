@@ -60,8 +60,8 @@ pub(super) fn memory(id: &str, mesh: &Mesh) -> Plot {
         let memory = row.memory.as_ref().expect("those without are left out");
         let bytes = [
             memory.formula_bytes_per_triangle,
-            memory.counted_bytes_per_triangle,
-            memory.peak_bytes_per_triangle,
+            Some(memory.counted_bytes_per_triangle),
+            Some(memory.peak_bytes_per_triangle),
         ];
         let first = [row.mesh.to_owned(), row.traits.join(", "), memory.formula.clone()].map(Cell::Words);
         let time = Cell::Time(row.sweep.as_ref().map(each), 1.0);
