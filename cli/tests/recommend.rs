@@ -125,6 +125,8 @@ fn nothing_that_fits_is_said_in_a_line_after_the_table() {
     assert_eq!((run.code, run.err.lines().count()), (Some(1), 1), "{run:?}");
     assert!(run.err.contains("nothing fits in 1.0 kB: the least is "), "{run:?}");
     assert!(run.out.contains("does not fit"), "{run:?}");
+    // What was not built is not known to fit in what it takes in any case.
+    assert!(run.err.contains(" needs at least ") && run.out.contains("≥ "), "{run:?}");
     let (_, result) = recommend(&["--memory", "1kB"]);
     assert!(result["pick"].is_null() && result["cargo"].is_null(), "{result}");
     for wrong in ["1X", "-1", "0", "many"] {
@@ -155,6 +157,26 @@ fn defects_are_held_or_it_says_that_repair_is_needed() {
     assert!(repaired["repair"].is_null() && repaired["pick"].is_string(), "{repaired}");
 }
 
+/// Which would take the square of its faces.
+#[test]
+fn what_looks_around_a_vertex_of_very_many_faces_is_left_out() {
+    let sides = 40_000;
+    let vertices = (0..sides).map(|side| format!("v 1 {side} 0\n"));
+    let faces = (0..sides).map(|side| format!("f 1 {} {}\n", side + 2, (side + 1) % sides + 2));
+    let cone: String = ["v 0 0 0\n".to_owned()].into_iter().chain(vertices).chain(faces).collect();
+    let file = fresh("cone", "cone.obj", &cone);
+    let (run, result) = recommend(&["--renumber", "--queries", "opposites", "--", file.to_str().unwrap()]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    assert_eq!(with(&result, &["too-slow"]), COMPRESSED.iter().map(|entry| entry.name.to_owned()).collect());
+    let file = file.to_str().unwrap();
+    let run = onering(["compare", "--budget", "0", "--backend", "compact-stars", "che-l2", "--", file]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    let line = "left out for vertices of very many faces: what lies across edges in compact-stars\n";
+    assert!(run.out.contains(line), "{run:?}");
+    let rings = onering(["recommend", "--budget", "0", "--renumber", "--", file]);
+    assert!(rings.out.contains("compact-stars") && !rings.out.contains("very many"), "{rings:?}");
+}
+
 #[test]
 fn the_line_for_cargo_names_a_feature_that_there_is() {
     let manifest = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml")).unwrap();
@@ -170,6 +192,7 @@ fn the_line_for_cargo_names_a_feature_that_there_is() {
         onering(["recommend".as_ref(), "--budget=0".as_ref(), "--queries=curves".as_ref(), file.as_os_str()]);
     assert!(run.out.starts_with("che-l3: "), "{run:?}");
     assert!(run.out.contains("features = [\"che-l3\"] }\nin the program: onering::CheL3, "), "{run:?}");
+    assert!(run.out.contains("no answer to curves: lacks boundaries"), "{run:?}");
 }
 
 #[test]

@@ -184,6 +184,14 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
     } else if options.backends.is_empty() && left_out.is_empty() {
         text += "left out for vertices of very many faces: `no data structure`\n";
     }
+    let without_opposites: Vec<&str> = mesh.backends.iter().filter(leaves_out).map(|row| row.name).collect();
+    if !without_opposites.is_empty() {
+        let _ = writeln!(
+            text,
+            "left out for vertices of very many faces: what lies across edges in {}",
+            without_opposites.join(", ")
+        );
+    }
     for row in &mesh.backends {
         if let Some(refusal) = &row.refusal {
             let _ = writeln!(text, "{} {}: {refusal}", row.name, row.mesh);
@@ -197,6 +205,11 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
         }
     }
     text
+}
+
+/// Whether it was built, and could tell what lies across an edge, but not in a time that anyone waits for.
+fn leaves_out(row: &&Backend) -> bool {
+    row.memory.is_some() && row.traits.contains(&"adjacency") && row.random_face_queries.is_none()
 }
 
 /// What was asked for and is quadratic, where the mesh is too large for that.

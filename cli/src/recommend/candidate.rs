@@ -6,6 +6,7 @@ use crate::compare::case::Ready;
 use crate::compare::measure::{Depth, Measured, Plan};
 use crate::compare::question::Question;
 use crate::compare::subject::{Formula, Known, Subject};
+use crate::tables::digits;
 use crate::timing::{Clock, Timing};
 use std::fmt;
 use std::time::Duration;
@@ -19,8 +20,8 @@ pub(super) enum Verdict {
     /// As fast but for noise, or faster by less than that, and larger.
     Larger,
     DoesNotFit,
-    /// Not one of these traits.
-    Lacks(&'static [&'static str]),
+    /// What it cannot answer, for it has not one of the traits.
+    Lacks(Question),
     /// What it says of the mesh.
     NeedsRepair(String),
     Renumbers,
@@ -55,8 +56,8 @@ impl Candidate {
             let any = question.traits();
             any.is_empty() || any.iter().any(|name| self.known.traits.contains(name))
         };
-        if let Some(question) = options.queries.iter().find(|question| !has(question)) {
-            return Verdict::Lacks(question.traits());
+        if let Some(&question) = options.queries.iter().find(|question| !has(question)) {
+            return Verdict::Lacks(question);
         }
         if self.known.renumbers && !options.renumber {
             return Verdict::Renumbers;
@@ -98,8 +99,17 @@ impl Candidate {
 
     /// The cargo feature that makes it `onering::Mesh`, where there is one.
     pub(super) fn feature(&self) -> Option<&'static str> {
-        let has_faces = self.known.traits.contains(&"topology");
-        (has_faces && !self.known.renumbers).then_some(self.known.name)
+        (self.has_faces() && !self.known.renumbers).then_some(self.known.name)
+    }
+
+    pub(super) fn has_faces(&self) -> bool {
+        self.known.traits.contains(&"topology")
+    }
+
+    /// What to write in a program.
+    pub(super) fn path(&self) -> String {
+        let encode = if self.known.renumbers { "::encode" } else { "" };
+        format!("onering::{}{encode}", self.type_name)
     }
 
     /// What goes into Cargo.toml.
@@ -140,16 +150,18 @@ impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Picked => write!(f, "the pick"),
-            Self::Slower(times) => write!(f, "slower: {times:.2} times the time"),
+            Self::Slower(times) => write!(f, "slower: {} times the time", digits(*times)),
             Self::Larger => write!(f, "as fast within 5 %, and larger"),
             Self::DoesNotFit => write!(f, "does not fit"),
-            Self::Lacks(traits) => write!(f, "lacks {}", traits.join(" or ")),
+            Self::Lacks(question) => {
+                write!(f, "no answer to {}: lacks {}", question.name(), question.traits().join(" or "))
+            }
             Self::NeedsRepair(refusal) => write!(f, "needs repair: {refusal}"),
             Self::TooSlow => {
                 write!(f, "left out: looks through all faces of a vertex, and one has very many")
             }
             Self::Renumbers => {
-                write!(f, "gives vertices and faces other numbers, and never changes (--renumber)")
+                write!(f, "only with --renumber: gives vertices and faces other numbers")
             }
         }
     }

@@ -77,7 +77,7 @@ fn nothing(options: &args::Recommend, candidates: &[Candidate]) -> Failure {
     Failure::Output(match least {
         Some((bytes, name)) => {
             format!(
-                "nothing fits{}: the least is {name}, which needs {}",
+                "nothing fits{}: the least is {name}, which needs at least {}",
                 within(options.memory),
                 Size(bytes)
             )
