@@ -26,8 +26,8 @@ pub(super) struct Report<'a> {
 
 const NOTE: &str = "Times are medians of at least three runs, after one to warm up; `*` is a single run. Keeps: the \
     structure and positions of 12 bytes a vertex. Needs: the most while it is built, with these positions and the list of \
-    faces; `≥` where it was not built, which is what it takes in any case. `-` was not measured. Reasons under the table are of the first kind that \
-    applies: traits, numbers, memory, defects, time.";
+    faces; `≥` where it was not built: it takes that in any case. `-` was not measured. Why: the first that applies of \
+    traits, numbers, memory, defects, time.";
 
 impl fmt::Display for Report<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
