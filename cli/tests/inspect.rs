@@ -133,5 +133,5 @@ fn a_large_file_has_the_digest_of_all_its_bytes() {
     let path = scratch("large", "bad.obj", &(large.clone() + "f 1 2 x\n"));
     let run = onering(["inspect".as_ref(), path.as_os_str()]);
     let line = large.lines().count() + 1;
-    assert!(run.err.contains(&format!("line {line}")), "{run:?}");
+    assert!(run.err.contains(&format!("bad.obj:{line}: ")), "{run:?}");
 }

@@ -3,6 +3,7 @@
 mod common;
 
 use common::{SQUARE, fresh, onering};
+use onering::registry::{BACKENDS, COMPRESSED, RENUMBERING};
 use quick_xml::Reader;
 use quick_xml::events::Event;
 use serde_json::Value;
@@ -108,12 +109,13 @@ fn each_mesh_has_its_plots_each_with_names_and_a_table() {
     }
     assert!(page.contains("On the line, filled: "));
     // In each plot of rings of each mesh, against size, and in the tables.
-    for entry in onering::registry::BACKENDS.iter().chain(onering::registry::RENUMBERING) {
-        let in_tables = count(&page, &format!("<th scope=\"row\">{}</th>", entry.name));
-        assert!(in_tables >= 8, "{}: {in_tables}", entry.name);
-        if entry.traits.contains(&"incidence") {
-            let in_plots = count(&page, &format!(">\n{}\n</text>", entry.name));
-            assert_eq!(in_plots, 10, "{}", entry.name);
+    let entries = BACKENDS.iter().chain(RENUMBERING).map(|entry| (entry.name, entry.traits));
+    for (name, traits) in entries.chain(COMPRESSED.iter().map(|entry| (entry.name, entry.traits))) {
+        let in_tables = count(&page, &format!("<th scope=\"row\">{name}</th>"));
+        assert!(in_tables >= 8, "{name}: {in_tables}");
+        if traits.contains(&"incidence") {
+            let in_plots = count(&page, &format!(">\n{name}\n</text>"));
+            assert_eq!(in_plots, 10, "{name}");
         }
     }
 }

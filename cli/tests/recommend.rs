@@ -3,7 +3,7 @@
 mod common;
 
 use common::{SQUARE, fresh, onering};
-use onering::registry::{BACKENDS, RENUMBERING};
+use onering::registry::{BACKENDS, COMPRESSED, RENUMBERING};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -26,6 +26,11 @@ fn with(result: &Value, verdicts: &[&str]) -> BTreeSet<String> {
     asked.map(|candidate| candidate["name"].as_str().unwrap().to_owned()).collect()
 }
 
+/// The names of all that give vertices and faces other numbers.
+fn renumbering() -> impl Iterator<Item = &'static str> {
+    RENUMBERING.iter().map(|entry| entry.name).chain(COMPRESSED.iter().map(|entry| entry.name))
+}
+
 const ELIGIBLE: [&str; 3] = ["picked", "slower", "larger"];
 
 /// Three faces on an edge.
@@ -36,17 +41,14 @@ fn without_a_file_a_mesh_is_made_and_everything_has_a_verdict() {
     let (run, result) = recommend(&[]);
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
     let candidates = result["candidates"].as_array().unwrap();
-    assert_eq!(candidates.len(), BACKENDS.len() + RENUMBERING.len());
+    assert_eq!(candidates.len(), BACKENDS.len() + RENUMBERING.len() + COMPRESSED.len());
     assert_eq!((&candidates[0]["verdict"], &candidates[0]["name"]), (&"picked".into(), &result["pick"]));
     assert_eq!(with(&result, &["picked"]).len(), 1);
     // Rings are walked by whoever starts from a vertex, and by graphs.
     let walk = |traits: &[&str]| traits.contains(&"incidence") || traits.contains(&"graph");
     let expected = BACKENDS.iter().filter(|entry| walk(entry.traits)).map(|entry| entry.name.to_owned());
     assert_eq!(with(&result, &ELIGIBLE), expected.collect());
-    assert_eq!(
-        with(&result, &["renumbers"]),
-        RENUMBERING.iter().map(|entry| entry.name.to_owned()).collect()
-    );
+    assert_eq!(with(&result, &["renumbers"]), renumbering().map(str::to_owned).collect());
     for candidate in candidates {
         let is_timed = candidate["times"]["rings"]["median_ns"].is_f64();
         assert_eq!(is_timed, ELIGIBLE.contains(&candidate["verdict"].as_str().unwrap()), "{candidate}");
@@ -123,6 +125,8 @@ fn nothing_that_fits_is_said_in_a_line_after_the_table() {
     assert_eq!((run.code, run.err.lines().count()), (Some(1), 1), "{run:?}");
     assert!(run.err.contains("nothing fits in 1.0 kB: the least is "), "{run:?}");
     assert!(run.out.contains("does not fit"), "{run:?}");
+    // What was not built is not known to fit in what it takes in any case.
+    assert!(run.err.contains(" needs at least ") && run.out.contains("≥ "), "{run:?}");
     let (_, result) = recommend(&["--memory", "1kB"]);
     assert!(result["pick"].is_null() && result["cargo"].is_null(), "{result}");
     for wrong in ["1X", "-1", "0", "many"] {
@@ -153,21 +157,42 @@ fn defects_are_held_or_it_says_that_repair_is_needed() {
     assert!(repaired["repair"].is_null() && repaired["pick"].is_string(), "{repaired}");
 }
 
+/// Which would take the square of its faces.
+#[test]
+fn what_looks_around_a_vertex_of_very_many_faces_is_left_out() {
+    let sides = 40_000;
+    let vertices = (0..sides).map(|side| format!("v 1 {side} 0\n"));
+    let faces = (0..sides).map(|side| format!("f 1 {} {}\n", side + 2, (side + 1) % sides + 2));
+    let cone: String = ["v 0 0 0\n".to_owned()].into_iter().chain(vertices).chain(faces).collect();
+    let file = fresh("cone", "cone.obj", &cone);
+    let (run, result) = recommend(&["--renumber", "--queries", "opposites", "--", file.to_str().unwrap()]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    assert_eq!(with(&result, &["too-slow"]), COMPRESSED.iter().map(|entry| entry.name.to_owned()).collect());
+    let file = file.to_str().unwrap();
+    let run = onering(["compare", "--budget", "0", "--backend", "compact-stars", "che-l2", "--", file]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    let line = "left out for vertices of very many faces: what lies across edges in compact-stars\n";
+    assert!(run.out.contains(line), "{run:?}");
+    let rings = onering(["recommend", "--budget", "0", "--renumber", "--", file]);
+    assert!(rings.out.contains("compact-stars") && !rings.out.contains("very many"), "{rings:?}");
+}
+
 #[test]
 fn the_line_for_cargo_names_a_feature_that_there_is() {
     let manifest = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml")).unwrap();
     let (_, result) = recommend(&["--renumber", "--queries", "build"]);
-    for entry in BACKENDS.iter().chain(RENUMBERING) {
-        let feature = &candidate(&result, entry.name)["feature"];
-        let is_there = manifest.contains(&format!("\n{} = [", entry.name));
-        assert_eq!(feature.is_string(), is_there, "{}", entry.name);
-        assert!(feature.is_null() || *feature == entry.name, "{feature}");
+    for name in BACKENDS.iter().map(|entry| entry.name).chain(renumbering()) {
+        let feature = &candidate(&result, name)["feature"];
+        let is_there = manifest.contains(&format!("\n{name} = ["));
+        assert_eq!(feature.is_string(), is_there, "{name}");
+        assert!(feature.is_null() || *feature == name, "{feature}");
     }
     let file = fresh("cargo", "square.obj", SQUARE);
     let run =
         onering(["recommend".as_ref(), "--budget=0".as_ref(), "--queries=curves".as_ref(), file.as_os_str()]);
     assert!(run.out.starts_with("che-l3: "), "{run:?}");
     assert!(run.out.contains("features = [\"che-l3\"] }\nin the program: onering::CheL3, "), "{run:?}");
+    assert!(run.out.contains("no answer to curves: lacks boundaries"), "{run:?}");
 }
 
 #[test]

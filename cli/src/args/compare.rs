@@ -1,9 +1,8 @@
 //! `onering compare`: what can be said of it.
 
 use super::{Args, Command, EXIT_CODES, fail, formats};
-use crate::compare::subject::entries;
+use crate::compare::subject::all_known;
 use clap::Parser;
-use onering::registry::RENUMBERING;
 use onering_io::Format;
 use std::ffi::OsStr;
 use std::fs;
@@ -61,7 +60,7 @@ impl Compare {
     /// The structures asked for, as their places among all that are measured.
     pub(crate) fn chosen(&self) -> Vec<usize> {
         let asked = |name: &str| self.backends.is_empty() || self.backends.iter().any(|asked| asked == name);
-        entries().zip(0..).filter(|(entry, _)| asked(entry.name)).map(|(_, place)| place).collect()
+        all_known().zip(0..).filter(|(known, _)| asked(known.name)).map(|(_, place)| place).collect()
     }
 
     /// Up to how many triangles what takes quadratic time is done.
@@ -97,10 +96,10 @@ fn give_back_files(compare: &mut Compare) {
 
 fn check_backends(compare: &Compare) {
     for name in &compare.backends {
-        if entries().all(|entry| entry.name != name) {
+        let Some(known) = all_known().find(|known| known.name == name) else {
             fail(&format!("no backend is named '{name}'; {}", known_backends()));
-        }
-        if compare.deform && RENUMBERING.iter().any(|entry| entry.name == name) {
+        };
+        if compare.deform && known.renumbers {
             fail(&format!("--deform does not measure {name}, which gives vertices other numbers"));
         }
     }
@@ -108,7 +107,7 @@ fn check_backends(compare: &Compare) {
 
 /// The names of all backends.
 fn known_backends() -> String {
-    let names: Vec<&str> = entries().map(|entry| entry.name).collect();
+    let names: Vec<&str> = all_known().map(|known| known.name).collect();
     format!("the backends are {}", names.join(", "))
 }
 

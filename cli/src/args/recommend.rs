@@ -21,7 +21,8 @@ pub(crate) struct Recommend {
     /// What the program will ask for
     #[arg(long, value_name = "WHAT", value_enum, value_delimiter = ',', num_args = 1.., default_value = "rings")]
     pub(crate) queries: Vec<Question>,
-    /// The mesh will not change, and its vertices and faces may get other numbers: `sot` is a candidate as well
+    /// The mesh will not change, and its vertices and faces may get other numbers: `sot` and `compact-stars` are
+    /// candidates as well
     #[arg(long)]
     pub(crate) renumber: bool,
     /// Choose the random vertices and faces

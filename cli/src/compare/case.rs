@@ -14,10 +14,19 @@ pub(crate) struct Ready {
     pub(crate) soup: Soup,
     pub(crate) sample: Sample,
     pub(crate) counts: Counts,
-    /// The same triangles in other orders.
+    /// The same triangles in other orders, where those are wanted.
     pub(crate) others: Vec<InOrder>,
     /// What every backend should answer.
     pub(crate) answers: Vec<(&'static str, u64)>,
+}
+
+/// What to choose and to make.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wanted {
+    /// Of what is random.
+    pub(crate) seed: u64,
+    /// Whether the triangles are to be measured in other orders as well.
+    pub(crate) orders: bool,
 }
 
 /// A mesh in the one or two states that it is measured in.
@@ -35,14 +44,14 @@ impl Case {
         name: String,
         positions: &[[f32; 3]],
         faces: Vec<[u32; 3]>,
-        seed: u64,
+        wanted: Wanted,
     ) -> Result<Self, RepairError> {
         let vertex_count = positions.len();
         let defects = Defects::of(vertex_count, &faces);
         let is_clean = defects.is_clean();
         let soup = Soup { vertex_count, faces, is_clean };
-        let repaired = if is_clean { None } else { repaired(&soup, positions, seed)? };
-        let as_it_is = Ready::of(soup, positions, seed)?;
+        let repaired = if is_clean { None } else { repaired(&soup, positions, wanted)? };
+        let as_it_is = Ready::of(soup, positions, wanted)?;
         Ok(Self { name, as_it_is, defects: defects.to_string(), repaired })
     }
 }
@@ -51,7 +60,7 @@ impl Case {
 fn repaired(
     soup: &Soup,
     positions: &[[f32; 3]],
-    seed: u64,
+    wanted: Wanted,
 ) -> Result<Option<(Ready, record::Repair)>, RepairError> {
     let mended = repair(soup.vertex_count, &soup.faces, &RepairOptions::default())?;
     if mended.faces.is_empty() {
@@ -60,7 +69,7 @@ fn repaired(
     let steps = mended.to_string();
     let positions = mended.carry_vertices(positions);
     let soup = Soup { vertex_count: mended.vertex_count, faces: mended.faces, is_clean: true };
-    let ready = Ready::of(soup, &positions, seed)?;
+    let ready = Ready::of(soup, &positions, wanted)?;
     let repair = record::Repair {
         steps,
         vertices: ready.soup.vertex_count,
@@ -73,13 +82,13 @@ fn repaired(
 }
 
 impl Ready {
-    fn of(soup: Soup, positions: &[[f32; 3]], seed: u64) -> Result<Self, RepairError> {
+    fn of(soup: Soup, positions: &[[f32; 3]], wanted: Wanted) -> Result<Self, RepairError> {
         let sides = Sides::of(&soup.faces);
         Ok(Self {
-            sample: Sample::of(&soup, seed),
+            sample: Sample::of(&soup, wanted.seed),
             counts: reference::counts(&soup, &sides),
             answers: sides.answers(&soup.faces),
-            others: orders::of(&soup, positions, seed)?,
+            others: if wanted.orders { orders::of(&soup, positions, wanted.seed)? } else { Vec::new() },
             soup,
         })
     }

@@ -129,7 +129,7 @@ fn side<M: Topology>(mesh: &M, h: M::HalfEdge) -> u64 {
 fn edge_fans<M: Adjacency>(mesh: &M) -> u64 {
     let face = |h| mesh.face(h).index();
     sum(mesh.half_edges(), |h| match mesh.edge_fan(h).nth(1) {
-        Some(least) if least.index() < h.index() => mix(face(h), face(least)),
+        Some(least) if least.index() < h.index() => mix_fan([h, least].into_iter().map(face)),
         _ => mix_fan(mesh.edge_fan(h).map(face)),
     })
 }

@@ -23,7 +23,7 @@ use crate::args;
 use crate::default_mesh;
 use crate::machine::Machine;
 use crate::output::{self, Status};
-use case::Case;
+use case::{Case, Wanted};
 use indicatif::{ProgressBar, ProgressStyle};
 use open::{Open, finish, open};
 use record::{Mesh, Run, Settings, Unread};
@@ -102,7 +102,8 @@ impl<'a> Comparison<'a> {
         if faces.is_empty() {
             return self.show(fill::without_faces(name, positions.len()));
         }
-        match Case::of(name.clone(), positions, faces, self.options.seed) {
+        let wanted = Wanted { seed: self.options.seed, orders: true };
+        match Case::of(name.clone(), positions, faces, wanted) {
             Err(error) => {
                 self.give_up(name.clone(), format!("{name}: {error}"));
                 Ok(())

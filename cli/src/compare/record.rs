@@ -96,10 +96,11 @@ pub(crate) struct Backend {
 pub(crate) struct Memory {
     /// In V, E, T, B and words of records.
     pub(crate) formula: String,
-    pub(crate) formula_bytes: usize,
+    /// `null` where the order of vertices matters as well.
+    pub(crate) formula_bytes: Option<usize>,
     pub(crate) counted_bytes: usize,
     pub(crate) peak_bytes: usize,
-    pub(crate) formula_bytes_per_triangle: f64,
+    pub(crate) formula_bytes_per_triangle: Option<f64>,
     pub(crate) counted_bytes_per_triangle: f64,
     pub(crate) peak_bytes_per_triangle: f64,
 }

@@ -72,7 +72,9 @@ impl Sides {
         for edge in self.edges() {
             let face = |side: &Side| side.face as usize;
             add(&mut edge_fan, mix_fan(edge.iter().map(face)));
-            edge[1..].iter().for_each(|side| add(&mut edge_fan, mix(face(side), face(&edge[0]))));
+            edge[1..]
+                .iter()
+                .for_each(|side| add(&mut edge_fan, mix_fan([side, &edge[0]].into_iter().map(face))));
             match edge {
                 [one] if one.is_rising => add(&mut boundary, mix(one.low as usize, one.high as usize)),
                 [one] => add(&mut boundary, mix(one.high as usize, one.low as usize)),

@@ -5,29 +5,56 @@ use super::measure::{Depth, Measured, Plan};
 use super::reference::Sides;
 use super::sample::{Sample, Soup};
 use crate::heap;
+use onering::{BuildError, CompactStars, Footprint, Incidence, Pairing, Renumbering, Sot};
 
-use onering::{BuildError, Footprint, Pairing, Renumbering, Sot};
-
-/// The sorted opposite table. Its answers are checked against the list of faces in its own numbers.
+/// The sorted opposite table.
 pub(crate) fn sot(plan: &Plan<'_>) -> Result<Measured, BuildError> {
+    let (mesh, mut measured) = encoded(plan, Sot::encode, Sot::heap_bytes, &kernels())?;
+    measured.unmatched = used_vertices(plan.soup) - mesh.matched_count();
+    Ok(measured)
+}
+
+/// Stars as differences. What lies opposite is looked for around a vertex: where one has very many faces, that is left
+/// out.
+pub(crate) fn compact_stars(plan: &Plan<'_>) -> Result<Measured, BuildError> {
+    let mut kernels = kernels();
+    if !plan.soup.is_quick_to_look_around() {
+        kernels.checks.retain(|(name, _)| !["edge_fan", "opposite", "boundary", "star"].contains(name));
+        kernels.face_queries = None;
+    }
+    let (_, measured) = encoded(plan, CompactStars::encode, CompactStars::heap_bytes, &kernels)?;
+    Ok(measured)
+}
+
+fn kernels<M: Incidence>() -> Kernels<M> {
+    Kernels::new().topology().adjacency().incidence()
+}
+
+type Encode<M> = fn(usize, &[[u32; 3]]) -> Result<(M, Renumbering), BuildError>;
+
+/// The structure, and what it answered: that is checked against the list of faces in its own numbers.
+fn encoded<M>(
+    plan: &Plan<'_>,
+    encode: Encode<M>,
+    heap_bytes: fn(&M) -> usize,
+    kernels: &Kernels<M>,
+) -> Result<(M, Measured), BuildError> {
     let Soup { vertex_count, ref faces, .. } = *plan.soup;
-    // What is kept is the table without the maps, which a caller may drop once attributes are carried over.
-    let (mesh, growth) = heap::growth(|| Sot::encode(vertex_count, faces).map(|(mesh, _)| mesh));
+    // What is kept is the structure without the maps, which a caller may drop once attributes are carried over.
+    let (mesh, growth) = heap::growth(|| encode(vertex_count, faces).map(|(mesh, _)| mesh));
     let mesh = mesh?;
-    let (_, maps) = Sot::encode(vertex_count, faces)?;
+    let (_, maps) = encode(vertex_count, faces)?;
     let (soup, sample) = (renumbered_soup(plan.soup, &maps), renumbered_sample(plan.sample, &maps));
     let mut measured = Measured { counted: growth.kept, peak: growth.peak, ..Measured::default() };
-    measured.told = Some(mesh.heap_bytes());
-    measured.unmatched = used_vertices(&soup) - mesh.matched_count();
-    let build = plan.clock.time(|| Sot::encode(vertex_count, faces));
+    measured.told = Some(heap_bytes(&mesh));
+    let build = plan.clock.time(|| encode(vertex_count, faces));
     measured.build.push((Pairing::Auto, build));
-    let kernels = Kernels::new().topology().adjacency().incidence();
-    measured.ask(&mesh, &kernels, &Plan { soup: &soup, sample: &sample, ..*plan });
+    measured.ask(&mesh, kernels, &Plan { soup: &soup, sample: &sample, ..*plan });
     // Sums of numbers that nobody else has, but for the sizes of rings.
     let is_checked = matches!(plan.depth, Depth::All { .. });
     measured.expected =
         Some(if is_checked { Sides::of(&soup.faces).answers(&soup.faces) } else { Vec::new() });
-    Ok(measured)
+    Ok((mesh, measured))
 }
 
 fn renumbered_soup(soup: &Soup, maps: &Renumbering) -> Soup {
@@ -62,15 +89,31 @@ mod tests {
     use super::*;
 
     /// Vertex 4 is isolated; the square has two vertices on one face only, and two faces for four vertices.
+    fn square() -> Soup {
+        Soup { vertex_count: 5, faces: vec![[0, 1, 2], [2, 3, 0]], is_clean: true }
+    }
+
+    #[test]
+    fn matched_vertices_are_among_those_in_faces() {
+        let (mesh, _) = Sot::encode(5, &square().faces).unwrap();
+        assert_eq!((used_vertices(&square()), mesh.matched_count()), (4, 2));
+    }
+
     #[test]
     fn the_maps_lead_to_the_same_elements() {
-        let soup = Soup { vertex_count: 5, faces: vec![[0, 1, 2], [2, 3, 0]], is_clean: true };
-        let (mesh, maps) = Sot::encode(5, &soup.faces).unwrap();
-        let renumbered = renumbered_soup(&soup, &maps);
-        assert_eq!((used_vertices(&soup), used_vertices(&renumbered), mesh.matched_count()), (4, 4, 2));
+        let soup = square();
+        let encode = [
+            |soup: &Soup| Sot::encode(5, &soup.faces).unwrap().1,
+            |soup: &Soup| CompactStars::encode(5, &soup.faces).unwrap().1,
+        ];
+        encode.iter().for_each(|encode| check(&soup, &encode(&soup)));
+    }
+
+    fn check(soup: &Soup, maps: &Renumbering) {
+        let renumbered = renumbered_soup(soup, maps);
         let sample = Sample { starts: vec![1, 3], vertices: vec![4], faces: vec![0, 1] };
-        let carried = renumbered_sample(&sample, &maps);
-        assert_eq!(carried.vertices, [4]);
+        let carried = renumbered_sample(&sample, maps);
+        assert!(carried.vertices.iter().eq([&maps.vertex_target[4]]));
         for (old, new) in sample.faces.iter().zip(&carried.faces) {
             let back = renumbered.faces[*new as usize].map(|v| maps.vertex_source[v as usize]);
             let mut face = soup.faces[*old as usize];

@@ -27,7 +27,8 @@ pub(crate) const NOTES: &[&str] = &[
      one-ring.",
     "Orders: building as the library does it of its own accord, and the sweep, with vertices and faces as they come, \
      shuffled, and that reordered along a Morton curve by position. Shuffled meshes may take very long, so that they \
-     count as quadratic does. `sot` numbers vertices and faces anew: it is asked about the same elements by its maps.",
+     count as quadratic does. `sot` and `compact-stars` number vertices and faces anew: they are asked about the same elements by \
+     their maps.",
     "All answers are compared by checksums, between backends and with the list of triangles. `-` is what a backend \
      cannot answer, or what was left out, as said under the table.",
 ];
@@ -76,11 +77,12 @@ fn memory(mesh: &Mesh) -> Table {
         if let Some(memory) = &row.memory {
             let bytes = [
                 memory.formula_bytes_per_triangle,
-                memory.counted_bytes_per_triangle,
-                memory.peak_bytes_per_triangle,
+                Some(memory.counted_bytes_per_triangle),
+                Some(memory.peak_bytes_per_triangle),
             ];
+            let bytes = bytes.map(|bytes| bytes.map_or("-".into(), |bytes| format!("{bytes:.2}")));
             let words = [row.name, row.mesh, &memory.formula].map(str::to_owned);
-            table.add_row(words.into_iter().chain(bytes.map(|bytes| format!("{bytes:.2}"))));
+            table.add_row(words.into_iter().chain(bytes));
         }
     }
     table
@@ -182,6 +184,14 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
     } else if options.backends.is_empty() && left_out.is_empty() {
         text += "left out for vertices of very many faces: `no data structure`\n";
     }
+    let without_opposites: Vec<&str> = mesh.backends.iter().filter(leaves_out).map(|row| row.name).collect();
+    if !without_opposites.is_empty() {
+        let _ = writeln!(
+            text,
+            "left out for vertices of very many faces: what lies across edges in {}",
+            without_opposites.join(", ")
+        );
+    }
     for row in &mesh.backends {
         if let Some(refusal) = &row.refusal {
             let _ = writeln!(text, "{} {}: {refusal}", row.name, row.mesh);
@@ -195,6 +205,11 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
         }
     }
     text
+}
+
+/// Whether it was built, and could tell what lies across an edge, but not in a time that anyone waits for.
+fn leaves_out(row: &&Backend) -> bool {
+    row.memory.is_some() && row.traits.contains(&"adjacency") && row.random_face_queries.is_none()
 }
 
 /// What was asked for and is quadratic, where the mesh is too large for that.

@@ -4,12 +4,11 @@ use super::case::{Case, Ready};
 use super::fill::{empty_row, fill, per_vertex};
 use super::measure::{Depth, Measured, Plan};
 use super::record::{Backend, InOrder, Memory, Mesh};
-use super::subject::{BASELINE, SUBJECTS, Subject, entries};
+use super::subject::{BASELINE, Formula, Known, SUBJECTS, Subject, all_known};
 use crate::args;
 use crate::timing::Clock;
 use onering::BuildError;
 use onering::footprint::Counts;
-use onering::registry::Entry;
 use std::time::Duration;
 
 /// The rows of one mesh so far.
@@ -49,7 +48,7 @@ impl<'a> Rows<'a> {
     /// Measures a structure by its place in [`SUBJECTS`]: on the mesh as it is, else on the repaired one.
     pub(crate) fn measure(&mut self, place: usize) {
         let subject = &SUBJECTS[place];
-        let entry = entries().nth(place).expect("there is one for each of the subjects");
+        let known = all_known().nth(place).expect("there is one for each of the subjects");
         let case = self.case;
         let (state, refusal, outcome) = match self.ask(subject, &case.as_it_is) {
             Ok(measured) => (AS_IT_IS, None, Some((measured, &case.as_it_is))),
@@ -61,12 +60,12 @@ impl<'a> Rows<'a> {
                 },
             },
         };
-        let mut row = empty_row(entry.name, state);
-        (row.traits, row.holds) = (entry.traits, entry.holds);
+        let mut row = empty_row(known.name, state);
+        (row.traits, row.holds) = (known.traits, known.holds);
         row.refusal = refusal.map(|refusal| refusal.to_string());
         if let Some((measured, ready)) = outcome {
             self.compare(subject.name, state, &measured);
-            row.memory = Some(self.memory(entry, state, &measured, ready));
+            row.memory = Some(self.memory(known, state, &measured, ready));
             fill(&mut row, &measured, ready);
             self.measure_orders(subject, state, ready, &mut row);
         } else if case.as_it_is.soup.is_clean || case.repaired.is_some() {
@@ -133,21 +132,27 @@ impl<'a> Rows<'a> {
         }
     }
 
-    fn memory(&mut self, entry: &Entry, state: &str, measured: &Measured, ready: &Ready) -> Memory {
+    /// Bytes as the structure tells are those of the formula, or where the order decides, those that were counted.
+    fn memory(&mut self, known: Known, state: &str, measured: &Measured, ready: &Ready) -> Memory {
         let &Measured { vertex_record_words, unmatched, .. } = measured;
         let counts = Counts { vertex_record_words, unmatched, ..ready.counts };
-        let formula = entry.bytes.of(&counts);
-        if let Some(told) = measured.told.filter(|&told| told != formula) {
-            let name = entry.name;
-            self.mismatches.push(format!("{name} tells of {told} bytes, not {formula}, on the mesh {state}"));
+        let (words, formula) = match known.memory {
+            Formula::Counts(bytes) => (bytes.to_string(), Some(bytes.of(&counts))),
+            Formula::Words(words, _) => (words.to_owned(), None),
+        };
+        let expected = formula.unwrap_or(measured.counted);
+        if let Some(told) = measured.told.filter(|&told| told != expected) {
+            let name = known.name;
+            self.mismatches
+                .push(format!("{name} tells of {told} bytes, not {expected}, on the mesh {state}"));
         }
         let each = |bytes: usize| bytes as f64 / ready.soup.faces.len() as f64;
         Memory {
-            formula: entry.bytes.to_string(),
+            formula: words,
             formula_bytes: formula,
             counted_bytes: measured.counted,
             peak_bytes: measured.peak,
-            formula_bytes_per_triangle: each(formula),
+            formula_bytes_per_triangle: formula.map(each),
             counted_bytes_per_triangle: each(measured.counted),
             peak_bytes_per_triangle: each(measured.peak),
         }
@@ -173,11 +178,13 @@ impl<'a> Rows<'a> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::case::Wanted;
     use super::*;
 
     #[test]
     fn a_wrong_answer_is_told_with_who_gave_it() {
-        let case = Case::of("square".into(), &[[0.0; 3]; 4], vec![[0, 1, 2], [0, 2, 3]], 1).unwrap();
+        let wanted = Wanted { seed: 1, orders: true };
+        let case = Case::of("square".into(), &[[0.0; 3]; 4], vec![[0, 1, 2], [0, 2, 3]], wanted).unwrap();
         let mut rows = Rows::new(&case, &args::Compare::default());
         let answers =
             |answers: &[(&'static str, u64)]| Measured { answers: answers.into(), ..Measured::default() };

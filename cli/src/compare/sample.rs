@@ -19,10 +19,20 @@ impl Soup {
     /// triangles. A random corner is at a vertex of d faces as often as there are d, and going around takes d
     /// searches: the sum of squares is 18 a triangle where each vertex has six faces.
     pub(crate) fn is_quick_to_search(&self, limit: usize) -> bool {
+        self.faces.len() <= limit && self.squared_degrees() <= 60_u64.saturating_mul(limit as u64)
+    }
+
+    /// Whether to look once around a vertex of each corner takes seconds at most, or is what a regular mesh of this size
+    /// takes in any case.
+    pub(crate) fn is_quick_to_look_around(&self) -> bool {
+        self.squared_degrees() <= 1_000_000_000 + 60 * self.faces.len() as u64
+    }
+
+    /// The sum over all vertices of the square of their numbers of faces.
+    fn squared_degrees(&self) -> u64 {
         let mut degrees = vec![0_u64; self.vertex_count];
         self.faces.as_flattened().iter().for_each(|&v| degrees[v as usize] += 1);
-        let squares: u64 = degrees.iter().map(|degree| degree * degree).sum();
-        self.faces.len() <= limit && squares <= 60_u64.saturating_mul(limit as u64)
+        degrees.iter().map(|degree| degree * degree).sum()
     }
 }
 

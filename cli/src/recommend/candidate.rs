@@ -5,9 +5,9 @@ use crate::args;
 use crate::compare::case::Ready;
 use crate::compare::measure::{Depth, Measured, Plan};
 use crate::compare::question::Question;
-use crate::compare::subject::Subject;
+use crate::compare::subject::{Formula, Known, Subject};
+use crate::tables::digits;
 use crate::timing::{Clock, Timing};
-use onering::registry::{Entry, RENUMBERING};
 use std::fmt;
 use std::time::Duration;
 
@@ -20,16 +20,18 @@ pub(super) enum Verdict {
     /// As fast but for noise, or faster by less than that, and larger.
     Larger,
     DoesNotFit,
-    /// Not one of these traits.
-    Lacks(&'static [&'static str]),
+    /// What it cannot answer, for it has not one of the traits.
+    Lacks(Question),
     /// What it says of the mesh.
     NeedsRepair(String),
     Renumbers,
+    /// It looks around each vertex for an answer, and one has very many faces.
+    TooSlow,
 }
 
 #[derive(Debug)]
 pub(super) struct Candidate {
-    pub(super) entry: &'static Entry,
+    pub(super) known: Known,
     pub(super) type_name: &'static str,
     pub(super) verdict: Verdict,
     /// Bytes once it is built, positions included.
@@ -41,15 +43,10 @@ pub(super) struct Candidate {
 
 impl Candidate {
     /// Measures it where it comes into question: then the verdict is [`Verdict::Picked`] for the time being.
-    pub(super) fn of(
-        subject: &Subject,
-        entry: &'static Entry,
-        ready: &Ready,
-        options: &args::Recommend,
-    ) -> Self {
+    pub(super) fn of(subject: &Subject, known: Known, ready: &Ready, options: &args::Recommend) -> Self {
         let type_name = subject.type_name.rsplit("::").next().unwrap_or_default().trim();
         let verdict = Verdict::Picked;
-        let mut candidate = Self { entry, type_name, verdict, kept: None, needs: None, times: Vec::new() };
+        let mut candidate = Self { known, type_name, verdict, kept: None, needs: None, times: Vec::new() };
         candidate.verdict = candidate.judged(subject, ready, options);
         candidate
     }
@@ -57,18 +54,19 @@ impl Candidate {
     fn judged(&mut self, subject: &Subject, ready: &Ready, options: &args::Recommend) -> Verdict {
         let has = |question: &&Question| {
             let any = question.traits();
-            any.is_empty() || any.iter().any(|name| self.entry.traits.contains(name))
+            any.is_empty() || any.iter().any(|name| self.known.traits.contains(name))
         };
-        if let Some(question) = options.queries.iter().find(|question| !has(question)) {
-            return Verdict::Lacks(question.traits());
+        if let Some(&question) = options.queries.iter().find(|question| !has(question)) {
+            return Verdict::Lacks(question);
         }
-        if self.renumbers() && !options.renumber {
+        if self.known.renumbers && !options.renumber {
             return Verdict::Renumbers;
         }
         let fits = |bytes: u64| options.memory.is_none_or(|limit| bytes <= limit.0);
         let [vertices, faces] = [ready.soup.vertex_count, ready.soup.faces.len()].map(|count| count as u64);
         let (positions, list) = (12 * vertices, 12 * faces);
-        let least = self.entry.bytes.of(&ready.counts) as u64 + positions + list;
+        let (Formula::Counts(least) | Formula::Words(_, least)) = self.known.memory;
+        let least = least.of(&ready.counts) as u64 + positions + list;
         self.needs = Some(least);
         // So that what does not fit is not even tried.
         if !fits(least) {
@@ -85,14 +83,13 @@ impl Candidate {
                 self.kept = Some(measured.counted as u64 + positions);
                 self.needs = Some(measured.peak.max(measured.counted) as u64 + positions + list);
                 self.times = times(&measured, &options.queries);
-                if self.needs.is_some_and(fits) { Verdict::Picked } else { Verdict::DoesNotFit }
+                match self.needs.is_some_and(fits) {
+                    false => Verdict::DoesNotFit,
+                    true if self.times.len() < options.queries.len() => Verdict::TooSlow,
+                    true => Verdict::Picked,
+                }
             }
         }
-    }
-
-    /// Whether vertices and faces get other numbers.
-    fn renumbers(&self) -> bool {
-        RENUMBERING.iter().any(|entry| entry.name == self.entry.name)
     }
 
     /// Whether it can be taken, fast or slow.
@@ -102,8 +99,17 @@ impl Candidate {
 
     /// The cargo feature that makes it `onering::Mesh`, where there is one.
     pub(super) fn feature(&self) -> Option<&'static str> {
-        let has_faces = self.entry.traits.contains(&"topology");
-        (has_faces && !self.renumbers()).then_some(self.entry.name)
+        (self.has_faces() && !self.known.renumbers).then_some(self.known.name)
+    }
+
+    pub(super) fn has_faces(&self) -> bool {
+        self.known.traits.contains(&"topology")
+    }
+
+    /// What to write in a program.
+    pub(super) fn path(&self) -> String {
+        let encode = if self.known.renumbers { "::encode" } else { "" };
+        format!("onering::{}{encode}", self.type_name)
     }
 
     /// What goes into Cargo.toml.
@@ -135,6 +141,7 @@ impl Verdict {
             Self::Lacks(_) => "lacks-trait",
             Self::NeedsRepair(_) => "needs-repair",
             Self::Renumbers => "renumbers",
+            Self::TooSlow => "too-slow",
         }
     }
 }
@@ -143,13 +150,18 @@ impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Picked => write!(f, "the pick"),
-            Self::Slower(times) => write!(f, "slower: {times:.2} times the time"),
+            Self::Slower(times) => write!(f, "slower: {} times the time", digits(*times)),
             Self::Larger => write!(f, "as fast within 5 %, and larger"),
             Self::DoesNotFit => write!(f, "does not fit"),
-            Self::Lacks(traits) => write!(f, "lacks {}", traits.join(" or ")),
+            Self::Lacks(question) => {
+                write!(f, "no answer to {}: lacks {}", question.name(), question.traits().join(" or "))
+            }
             Self::NeedsRepair(refusal) => write!(f, "needs repair: {refusal}"),
+            Self::TooSlow => {
+                write!(f, "left out: looks through all faces of a vertex, and one has very many")
+            }
             Self::Renumbers => {
-                write!(f, "gives vertices and faces other numbers, and never changes (--renumber)")
+                write!(f, "only with --renumber: gives vertices and faces other numbers")
             }
         }
     }

@@ -39,14 +39,14 @@ fn scores(candidates: &[Candidate]) -> Vec<Option<f64>> {
 mod tests {
     use super::*;
     use crate::compare::question::Question;
+    use crate::compare::subject::all_known;
     use crate::timing::Timing;
-    use onering::registry::BACKENDS;
 
     fn candidate(place: usize, kept: u64, times: &[f64], verdict: Verdict) -> Candidate {
         let timing = |&median_ns: &f64| Timing { median_ns, min_ns: 0.0, quartile_ns: 0.0, runs: 3 };
         let times = times.iter().map(|time| (Question::Rings, timing(time))).collect();
-        let (entry, needs) = (&BACKENDS[place], Some(kept));
-        Candidate { entry, type_name: "", verdict, kept: Some(kept), needs, times }
+        let (known, needs) = (all_known().nth(place).unwrap(), Some(kept));
+        Candidate { known, type_name: "", verdict, kept: Some(kept), needs, times }
     }
 
     #[test]

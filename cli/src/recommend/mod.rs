@@ -9,15 +9,14 @@ pub(crate) use size::Size;
 
 use crate::args;
 use crate::compare;
-use crate::compare::case::{Case, Ready};
-use crate::compare::subject::{SUBJECTS, Subject, entries};
+use crate::compare::case::{Case, Ready, Wanted};
+use crate::compare::subject::{Known, SUBJECTS, Subject, all_known};
 use crate::failure::Failure;
 use crate::input::Input;
 use crate::machine::Machine;
 use crate::made;
 use crate::output::{self, Status};
 use candidate::{Candidate, Verdict, within};
-use onering::registry::Entry;
 use report::Report;
 use std::io;
 
@@ -34,7 +33,8 @@ fn recommend(options: &args::Recommend) -> Result<(), Failure> {
     if mesh.faces.is_empty() {
         return Err(Failure::Output(format!("{name}: it has no faces to measure on")));
     }
-    let case = Case::of(name.clone(), &mesh.positions, mesh.faces, options.seed)
+    let wanted = Wanted { seed: options.seed, orders: false };
+    let case = Case::of(name.clone(), &mesh.positions, mesh.faces, wanted)
         .map_err(|error| Failure::Output(format!("{name}: {error}")))?;
     let mut candidates = measured(&case.as_it_is, options);
     let mut pick = choice::pick(&mut candidates);
@@ -59,13 +59,13 @@ fn recommend(options: &args::Recommend) -> Result<(), Failure> {
 fn measured(ready: &Ready, options: &args::Recommend) -> Vec<Candidate> {
     // Without a thread that ticks: it would allocate while bytes are counted.
     let bar = compare::progress(SUBJECTS.len());
-    let candidate = |(subject, entry): (&Subject, &'static Entry)| {
-        bar.set_message(entry.name);
-        let candidate = Candidate::of(subject, entry, ready, options);
+    let candidate = |(subject, known): (&Subject, Known)| {
+        bar.set_message(known.name);
+        let candidate = Candidate::of(subject, known, ready, options);
         bar.inc(1);
         candidate
     };
-    let candidates = SUBJECTS.iter().zip(entries()).map(candidate).collect();
+    let candidates = SUBJECTS.iter().zip(all_known()).map(candidate).collect();
     bar.finish_and_clear();
     candidates
 }
@@ -73,11 +73,11 @@ fn measured(ready: &Ready, options: &args::Recommend) -> Vec<Candidate> {
 /// No structure can be taken.
 fn nothing(options: &args::Recommend, candidates: &[Candidate]) -> Failure {
     let too_large = candidates.iter().filter(|candidate| candidate.verdict == Verdict::DoesNotFit);
-    let least = too_large.filter_map(|candidate| Some((candidate.needs?, candidate.entry.name))).min();
+    let least = too_large.filter_map(|candidate| Some((candidate.needs?, candidate.known.name))).min();
     Failure::Output(match least {
         Some((bytes, name)) => {
             format!(
-                "nothing fits{}: the least is {name}, which needs {}",
+                "nothing fits{}: the least is {name}, which needs at least {}",
                 within(options.memory),
                 Size(bytes)
             )

@@ -26,17 +26,20 @@ pub(super) struct Report<'a> {
 
 const NOTE: &str = "Times are medians of at least three runs, after one to warm up; `*` is a single run. Keeps: the \
     structure and positions of 12 bytes a vertex. Needs: the most while it is built, with these positions and the list of \
-    faces; at least so much where it was not built. `-` was not measured. Reasons under the table are of the first kind that \
-    applies: traits, numbers, memory, defects, time.";
+    faces; `≥` where it was not built: it takes that in any case. `-` was not measured. Why: the first that applies of \
+    traits, numbers, memory, defects, time.";
 
 impl fmt::Display for Report<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(pick) = self.pick.map(|place| &self.candidates[place]) {
-            writeln!(f, "{}: {}", pick.entry.name, self.reason(pick))?;
+            writeln!(f, "{}", wrapped(&format!("{}: {}", pick.known.name, self.reason(pick))))?;
             writeln!(f, "\nin Cargo.toml:  {}", pick.cargo())?;
-            let by_feature =
-                pick.feature().map_or("", |_| ", which is onering::Mesh with that feature alone");
-            writeln!(f, "in the program: onering::{}{by_feature}", pick.type_name)?;
+            let what = match pick.feature() {
+                Some(_) => ", which is onering::Mesh with that feature alone",
+                None if pick.known.renumbers => ", which gives it and the maps from and to its numbers",
+                None => "",
+            };
+            writeln!(f, "in the program: {}{what}", pick.path())?;
         }
         let Self { machine, case, soup, .. } = self;
         let counts = format!("{} vertices, {} triangles", soup.vertex_count, soup.faces.len());
@@ -63,8 +66,14 @@ impl Report<'_> {
             .collect();
         let is_same = self.candidates.iter().any(|candidate| candidate.verdict == Verdict::Larger);
         let rank = if is_same { "the smallest within 5 % of the fastest" } else { "the fastest" };
-        let faces =
-            if pick.entry.traits.contains(&"topology") { "" } else { "; it knows neighbours and no faces" };
+        let faces = if pick.has_faces() {
+            String::new()
+        } else {
+            // Measured as well, so that a program that is not content with neighbours knows what to take.
+            let other = self.ordered().into_iter().find(|other| other.is_eligible() && other.has_faces());
+            let other = other.map(|other| format!(", which {} has as the next best", other.known.name));
+            format!("; it knows neighbours and no faces{}", other.unwrap_or_default())
+        };
         let after = if self.repair.is_some() { "after repair (--repair), " } else { "" };
         let bytes = |bytes: Option<u64>| Size(bytes.unwrap_or_default());
         format!(
@@ -98,8 +107,9 @@ impl Report<'_> {
         let mut table = table(&header, 2);
         let size = |bytes: Option<u64>| bytes.map_or("-".into(), |bytes| Size(bytes).to_string());
         for candidate in self.ordered() {
-            let mut row = vec![candidate.entry.name.to_owned(), candidate.verdict.to_string()];
-            row.extend([size(candidate.kept), size(candidate.needs)]);
+            let mut row = vec![candidate.known.name.to_owned(), candidate.verdict.to_string()];
+            let least = if candidate.kept.is_none() && candidate.needs.is_some() { "≥ " } else { "" };
+            row.extend([size(candidate.kept), format!("{least}{}", size(candidate.needs))]);
             row.extend(self.options.queries.iter().map(|query| {
                 let found = candidate.times.iter().find(|(asked, _)| asked == query);
                 scaled(found.map(|&(_, timing)| timing), query.unit(self.soup).0)
@@ -118,7 +128,7 @@ impl Report<'_> {
             "memory_bytes": options.memory.map(|limit| limit.0),
             "queries": options.queries.iter().map(|query| query.name()).collect::<Vec<_>>(),
             "renumber": options.renumber, "seed": options.seed, "budget_ms": options.budget,
-            "pick": pick.map(|pick| pick.entry.name),
+            "pick": pick.map(|pick| pick.known.name),
             "cargo": pick.map(Candidate::cargo),
             "type": pick.map(|pick| format!("onering::{}", pick.type_name)),
             "reason": pick.map(|pick| self.reason(pick)),
@@ -134,8 +144,8 @@ impl Candidate {
         let times: Map<String, Value> =
             self.times.iter().map(|(question, timing)| (question.name(), json!(timing))).collect();
         json!({
-            "name": self.entry.name, "verdict": self.verdict.word(), "reason": self.verdict.to_string(),
-            "traits": self.entry.traits, "holds": self.entry.holds, "feature": self.feature(),
+            "name": self.known.name, "verdict": self.verdict.word(), "reason": self.verdict.to_string(),
+            "traits": self.known.traits, "holds": self.known.holds, "feature": self.feature(),
             "keeps_bytes": self.kept, "needs_bytes": self.needs, "times": times,
         })
     }

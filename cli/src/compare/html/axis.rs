@@ -80,7 +80,7 @@ impl ValueFormatter<f64> for Axis {
     fn format(value: &f64) -> String {
         match *value {
             v if v >= 1e6 => format!("{} M", round(v / 1e6)),
-            v if v >= 1e4 => format!("{} k", round(v / 1e3)),
+            v if v >= 1e3 => format!("{} k", round(v / 1e3)),
             v => round(v),
         }
     }
@@ -101,8 +101,8 @@ mod tests {
         assert_eq!(Axis::around([3.0, 40.0].into_iter()).ticks(), [5.0, 10.0, 20.0, 50.0]);
         assert_eq!(Axis::from_zero([62.0].into_iter()).ticks(), [0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0]);
         assert_eq!(Axis::around(std::iter::empty()), Axis::Logarithmic(1.0, 10.0));
-        let words = [0.1 + 0.2, 20_000.0, 5e6].map(|v| Axis::format(&v));
-        assert_eq!(words, ["0.3", "20 k", "5 M"]);
+        let words = [0.1 + 0.2, 2_000.0, 5e6].map(|v| Axis::format(&v));
+        assert_eq!(words, ["0.3", "2 k", "5 M"]);
     }
 
     #[test]

@@ -120,10 +120,10 @@ pub(super) fn write(area: &Area<'_>, words: &str, (x, y): (i32, i32), at: HPos) 
     Ok(())
 }
 
-/// A mark at this pixel, another shape for each place.
+/// A mark at this pixel, another shape for each place; also of those that share a colour, the shapes differ.
 pub(super) fn mark(area: &Area<'_>, place: usize, (x, y): (i32, i32)) -> Drawn {
     let (at, colour) = ((x, y), Tone::of(place).rgb());
-    match place % 6 {
+    match (place + place / COLOURS) % 6 {
         0 => area.draw(&Circle::new(at, 5, colour.filled()))?,
         1 => area.draw(&TriangleMarker::new(at, 6, colour.filled()))?,
         2 => area.draw(&Cross::new(at, 4, colour.stroke_width(2)))?,

@@ -2,7 +2,7 @@
 
 use super::axis::Axis;
 use super::figure::grouped;
-use super::mesh::{MILLISECOND, each};
+use super::mesh::each;
 use super::table::{Cell, Table};
 use super::{Plot, lines, place};
 use crate::compare::record::{Growth, InOrder};
@@ -10,19 +10,19 @@ use crate::timing::Timing;
 
 /// Of building, and of one-rings.
 pub(super) fn plots(growth: &Growth) -> [Plot; 2] {
-    let build = |point: &InOrder| Some(point.build);
-    let ring = |point: &InOrder| point.sweep.as_ref().map(each);
+    let build = |point: &InOrder, size: usize| Some(point.build.scaled(1.0 / size as f64));
+    let ring = |point: &InOrder, _| point.sweep.as_ref().map(each);
     [
-        plot(growth, ["growth-build", "Build time by size", "ms"], MILLISECOND, build),
-        plot(growth, ["growth-rings", "Ring time by size", "one-ring, ns a vertex"], 1.0, ring),
+        plot(growth, ["growth-build", "Build time by size", "build, ns a triangle"], build),
+        plot(growth, ["growth-rings", "Ring time by size", "one-ring, ns a vertex"], ring),
     ]
 }
 
-fn plot(growth: &Growth, words: [&str; 3], unit: f64, time: impl Fn(&InOrder) -> Option<Timing>) -> Plot {
+fn plot(growth: &Growth, words: [&str; 3], time: impl Fn(&InOrder, usize) -> Option<Timing>) -> Plot {
     let [id, title, beside] = words;
     let points = |points: &[InOrder]| {
         let known = points.iter().zip(&growth.triangles);
-        known.filter_map(|(point, &size)| Some((size as f64, time(point)?.median_ns / unit))).collect()
+        known.filter_map(|(point, &size)| Some((size as f64, time(point, size)?.median_ns))).collect()
     };
     let lines: Vec<lines::Line<'_>> = growth
         .backends
@@ -36,7 +36,8 @@ fn plot(growth: &Growth, words: [&str; 3], unit: f64, time: impl Fn(&InOrder) ->
         .collect();
     let note = format!("Low is better. On {}, cut finer and finer.", growth.mesh);
     let row = |name: &str, points: &[InOrder]| {
-        (name.to_owned(), points.iter().map(|point| Cell::Time(time(point), unit)).collect())
+        let known = points.iter().zip(&growth.triangles);
+        (name.to_owned(), known.map(|(point, &size)| Cell::Time(time(point, size), 1.0)).collect())
     };
     let sizes = growth.triangles.iter().map(|&size| format!("{} triangles", grouped(size)));
     Plot {

@@ -13,15 +13,9 @@ pub(super) fn width(name: &str) -> f64 {
     name.chars().count() as f64 * LETTER
 }
 
-/// For each named point the left end of its name, at half its height: beside it where there is room, else farther off.
-/// `bounds` is where names may be, `lines` are
-/// what they should not lie over either.
-pub(super) fn beside(
-    points: &[(f64, f64)],
-    names: &[&str],
-    bounds: Box2,
-    lines: Vec<Box2>,
-) -> Vec<(f64, f64)> {
+/// For each named point the box of its name: beside it where there is room, else farther off. `bounds` is where names may
+/// be, `lines` are what they should not lie over either.
+pub(super) fn beside(points: &[(f64, f64)], names: &[&str], bounds: Box2, lines: Vec<Box2>) -> Vec<Box2> {
     let mut taken = lines;
     taken.extend(points.iter().map(|&(x, y)| around(x, y)));
     let mut places = Vec::new();
@@ -33,7 +27,7 @@ pub(super) fn beside(
         // Nowhere at all: better over another than left out.
         let label = label.unwrap_or_else(|| at(x + POINT, y, width));
         taken.push(label);
-        places.push((label[0], label[1] + HEIGHT / 2.0));
+        places.push(label);
     }
     places
 }
@@ -101,8 +95,7 @@ mod tests {
         let names = ["directed-edges-small"; 9];
         let bounds = [0.0, 0.0, 760.0, 440.0];
         let line = [398.0, 0.0, 402.0, 150.0];
-        let places = beside(&points, &names, bounds, vec![line]);
-        let boxes: Vec<Box2> = places.iter().map(|&(x, y)| at(x, y, width(names[0]))).collect();
+        let boxes = beside(&points, &names, bounds, vec![line]);
         for (i, label) in boxes.iter().enumerate() {
             assert!(within(*label, bounds) && !overlap(*label, line));
             assert!(boxes[..i].iter().all(|other| !overlap(*label, *other)), "{i}");

@@ -8,12 +8,13 @@ use crate::compare::orders::{GIVEN, REORDERED, SHUFFLED};
 use crate::compare::record::{Backend, Mesh, Sweep};
 use crate::compare::report::{in_orders, in_words};
 use crate::compare::rings::LEVELS;
+use crate::compare::subject::all_known;
 use crate::timing::Timing;
 use onering::Pairing;
 
 /// Nanoseconds.
-pub(super) const MICROSECOND: f64 = 1e3;
-pub(super) const MILLISECOND: f64 = 1e6;
+const MICROSECOND: f64 = 1e3;
+const MILLISECOND: f64 = 1e6;
 
 /// The time for one vertex, with its spread.
 pub(super) fn each(sweep: &Sweep) -> Timing {
@@ -46,10 +47,14 @@ pub(super) fn memory(id: &str, mesh: &Mesh) -> Plot {
         .filter(|row| row.memory.is_some() && row.sweep.is_none())
         .map(|row| row.name)
         .collect();
+    let renumbering: Vec<&str> =
+        all_known().filter(|known| known.renumbers).map(|known| known.name).collect();
     let description = format!(
-        "Left and low is better. On the line, filled: {}. No structure with faces beats these in both memory and time. A \
-         triangle is a bare graph, which knows neighbours and no faces.",
-        front.join(", ")
+        "Left and low is better. On the line, filled: {}. No structure with faces beats these in both memory and time. The \
+         mark with three corners is a bare graph, which knows neighbours and no faces. {} give vertices and faces other \
+         numbers. What lies across an edge is another question, of which the random queries below tell.",
+        front.join(", "),
+        renumbering.join(" and ")
     );
     let note = if without.is_empty() {
         description.clone()
@@ -59,13 +64,15 @@ pub(super) fn memory(id: &str, mesh: &Mesh) -> Plot {
     let row = |row: &Backend| {
         let memory = row.memory.as_ref().expect("those without are left out");
         let bytes = [
+            Some(memory.counted_bytes_per_triangle),
+            Some(memory.peak_bytes_per_triangle),
             memory.formula_bytes_per_triangle,
-            memory.counted_bytes_per_triangle,
-            memory.peak_bytes_per_triangle,
         ];
-        let first = [row.mesh.to_owned(), row.traits.join(", "), memory.formula.clone()].map(Cell::Words);
         let time = Cell::Time(row.sweep.as_ref().map(each), 1.0);
-        (row.name.to_owned(), first.into_iter().chain(bytes.map(Cell::Number)).chain([time]).collect())
+        // Figures first, for narrow screens.
+        let figures = [time].into_iter().chain(bytes.map(Cell::Number));
+        let words = [memory.formula.clone(), row.traits.join(", "), row.mesh.to_owned()].map(Cell::Words);
+        (row.name.to_owned(), figures.chain(words).collect())
     };
     Plot {
         title: "Memory against ring time".into(),
@@ -76,9 +83,18 @@ pub(super) fn memory(id: &str, mesh: &Mesh) -> Plot {
         ),
         note,
         table: Table {
-            caption: "Bytes a triangle by formula, as counted and at the peak of building; one-rings in ns a vertex"
+            caption: "One-rings in ns a vertex; bytes a triangle, as counted, at the peak of building and by formula"
                 .into(),
-            header: words(&["structure", "mesh", "traits", "bytes", "formula", "counted", "peak", "one-ring"]),
+            header: words(&[
+                "structure",
+                "one-ring",
+                "counted",
+                "peak",
+                "by formula",
+                "formula",
+                "traits",
+                "mesh",
+            ]),
             rows: mesh.backends.iter().filter(known).map(row).collect(),
         },
     }
@@ -99,7 +115,13 @@ pub(super) fn build(id: &str, mesh: &Mesh) -> Plot {
     };
     Plot {
         title: "Build time by pairing strategy".into(),
-        svg: dots::draw(id, ["Build time by pairing strategy", note, "ms"], MILLISECOND, &strategies, &marks),
+        svg: dots::draw(
+            id,
+            ["Build time by pairing strategy", note, "build, ms"],
+            MILLISECOND,
+            &strategies,
+            &marks,
+        ),
         note: note.into(),
         table: Table {
             caption: "Build, ms".into(),
@@ -136,7 +158,7 @@ pub(super) fn rings(id: &str, mesh: &Mesh) -> Plot {
         title: "Ring time by level".into(),
         svg: lines::draw(
             id,
-            ["Ring time by level", &note, "rings", "µs"],
+            ["Ring time by level", &note, "rings", "rings of one vertex, µs"],
             Axis::Linear(0.8, LEVELS as f64 + 0.2),
             &all,
         ),

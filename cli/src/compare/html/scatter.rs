@@ -1,7 +1,7 @@
 //! Points by two figures, of which less is better, with their names and the front of those that none beats in both.
 
 use super::axis::Axis;
-use super::figure::{Frame, GRID, INK, Tone, write};
+use super::figure::{Frame, INK, Tone, write};
 use super::labels::{self, Box2};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
@@ -61,7 +61,8 @@ pub(super) fn draw(id: &str, words: [&str; 4], points: &[Point<'_>]) -> String {
             let [low, high] = point.spread.map(|y| at(point, y).1.clamp(up.start, up.end));
             let place = at(point, point.y);
             lines.push(along((place.0, low), (place.0, high)));
-            root.draw(&PathElement::new([(place.0, low), (place.0, high)], GRID.rgb().stroke_width(3)))?;
+            let faint = Tone::of(0).rgb().mix(0.35).stroke_width(3);
+            root.draw(&PathElement::new([(place.0, low), (place.0, high)], faint))?;
         }
         for (i, point) in points.iter().enumerate() {
             let place = at(point, point.y);
@@ -83,14 +84,21 @@ pub(super) fn draw(id: &str, words: [&str; 4], points: &[Point<'_>]) -> String {
         for ((place, name), label) in
             places.iter().zip(&names).zip(labels::beside(&places, &names, bounds, lines))
         {
-            let width = labels::width(name);
-            // The end of the name that is nearer, and a line to it where it is far.
-            let end = (place.0.clamp(label.0, label.0 + width), label.1);
+            let [left, top, right, bottom] = label;
+            // What of the name is nearest, and a line to it where it is far.
+            let end = (place.0.clamp(left, right), place.1.clamp(top, bottom));
             if (end.0 - place.0).hypot(end.1 - place.1) > 18.0 {
                 let line = [*place, end].map(|(x, y)| (x.round() as i32, y.round() as i32));
                 root.draw(&PathElement::new(line, INK.rgb().mix(0.45)))?;
             }
-            write(root, name, (label.0.round() as i32, label.1.round() as i32), HPos::Left)?;
+            // The name may be narrower than its box: it stands at the end that is nearer.
+            let (x, anchor) = match place.0 {
+                x if x <= left => (left, HPos::Left),
+                x if x >= right => (right, HPos::Right),
+                _ => ((left + right) / 2.0, HPos::Center),
+            };
+            let middle = (top + bottom) / 2.0;
+            write(root, name, (x.round() as i32, middle.round() as i32), anchor)?;
         }
         Ok(())
     })

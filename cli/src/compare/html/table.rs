@@ -8,7 +8,7 @@ use maud::{Markup, html};
 #[derive(Clone, Debug)]
 pub(super) enum Cell {
     Words(String),
-    Number(f64),
+    Number(Option<f64>),
     /// In nanoseconds a unit.
     Time(Option<Timing>, f64),
 }
@@ -56,8 +56,8 @@ impl Cell {
     fn markup(&self) -> Markup {
         match self {
             Self::Words(words) => html! { td.words { (words) } },
-            Self::Number(number) => html! { td { (format!("{number:.2}")) } },
-            Self::Time(None, _) => html! { td { "-" } },
+            Self::Number(None) | Self::Time(None, _) => html! { td { "-" } },
+            Self::Number(Some(number)) => html! { td { (format!("{number:.2}")) } },
             Self::Time(Some(timing), unit) => {
                 let [median, min, quartile] =
                     [timing.median_ns, timing.min_ns, timing.quartile_ns].map(|ns| digits(ns / unit));
