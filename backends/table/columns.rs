@@ -173,7 +173,9 @@ impl<L: Layout, S: Storage> Table<L, S> {
             return Ok(());
         }
         let vertices = if Self::IS_TURNED { self.target.as_slice() } else { self.origin.as_slice() };
-        if vertices.len() != 3 * self.face_count || self.opposite.as_slice().len() != 3 * self.face_count {
+        // What wraps is no count of cells that there are.
+        let cells = self.face_count.checked_mul(3);
+        if [vertices.len(), self.opposite.as_slice().len()].map(Some) != [cells; 2] {
             return Err(Invalid::column(Self::LINKS, "has more or fewer cells than there are half-edges"));
         }
         self.check_links_across()

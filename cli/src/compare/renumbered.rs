@@ -7,9 +7,11 @@ use super::sample::{Sample, Soup};
 use crate::heap;
 use onering::{BuildError, CompactStars, Footprint, Incidence, Pairing, Renumbering, Sot};
 
-/// The sorted opposite table.
+/// The sorted opposite table. Every name of a vertex is looked for around it: where one has very many faces, nothing is
+/// asked.
 pub(crate) fn sot(plan: &Plan<'_>) -> Result<Measured, BuildError> {
-    let (mesh, mut measured) = encoded(plan, Sot::encode, Sot::heap_bytes, &kernels())?;
+    let kernels = if plan.soup.is_quick_to_look_around() { kernels() } else { Kernels::new() };
+    let (mesh, mut measured) = encoded(plan, Sot::encode, Sot::heap_bytes, &kernels)?;
     measured.unmatched = used_vertices(plan.soup) - mesh.matched_count();
     Ok(measured)
 }

@@ -184,13 +184,9 @@ fn announcements(mesh: &Mesh, options: &args::Compare) -> String {
     } else if options.backends.is_empty() && left_out.is_empty() {
         text += "left out for vertices of very many faces: `no data structure`\n";
     }
-    let without_opposites: Vec<&str> = mesh.backends.iter().filter(leaves_out).map(|row| row.name).collect();
-    if !without_opposites.is_empty() {
-        let _ = writeln!(
-            text,
-            "left out for vertices of very many faces: what lies across edges in {}",
-            without_opposites.join(", ")
-        );
+    for row in mesh.backends.iter().filter(leaves_out) {
+        let what = if row.sweep.is_none() { "all questions to" } else { "what lies across edges in" };
+        let _ = writeln!(text, "left out for vertices of very many faces: {what} {}", row.name);
     }
     for row in &mesh.backends {
         if let Some(refusal) = &row.refusal {
