@@ -1,5 +1,7 @@
 //! [`Table`]: one struct for every row of the layout table.
+mod checks;
 mod columns;
+mod linked;
 mod walk;
 
 use crate::build::{self, Links};
