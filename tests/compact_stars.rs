@@ -12,35 +12,26 @@ mod renumbered;
 #[path = "common/shapes.rs"]
 mod shapes;
 
-use onering::conformance::{self as laws, Case};
+use onering::conformance::Case;
 use onering::repair::{RepairOptions, repair};
 use onering::*;
 use proptest::prelude::*;
 use real::{MESHES, Real};
-use renumbered::{is_of_list, mixed, renumbered};
+use renumbered::{Encoder, Renumbers, is_of_list, mixed, renumbered, shuffled_fan};
 use shapes::{Faces, grid};
 use std::collections::HashSet;
 
-type Encoder = fn(usize, &[[u32; 3]]) -> Result<(CompactStars, Renumbering), BuildError>;
+const ENCODERS: [Encoder<CompactStars>; 2] = [CompactStars::encode, CompactStars::encode_in_order];
 
-const ENCODERS: [Encoder; 2] = [CompactStars::encode, CompactStars::encode_in_order];
-
-/// The laws, on a case that they hold.
-fn obey(case: &Case, (mesh, maps): &(CompactStars, Renumbering)) {
-    let case = Case { faces: renumbered(&case.faces, maps), ..case.clone() };
-    laws::topology(&case, mesh);
-    laws::topology(&case, &mesh);
-    laws::adjacency(&case, mesh);
-    laws::adjacency(&case, &mesh);
-    laws::incidence(&case, mesh);
-    laws::incidence(&case, &mesh);
-    laws::graph(&case, mesh);
-    take_their_formula(case.name, mesh, case.vertices, &case.faces);
-    keep_their_order(case.name, mesh, &case.faces);
+impl Renumbers for CompactStars {
+    fn keeps_promises(&self, case: &Case) {
+        takes_its_formula(case.name, self, case.vertices, &case.faces);
+        keeps_its_order(case.name, self, &case.faces);
+    }
 }
 
 /// The bytes that the documentation tells, in numbers of the list alone.
-fn take_their_formula(name: &str, mesh: &CompactStars, vertices: usize, faces: &[[u32; 3]]) {
+fn takes_its_formula(name: &str, mesh: &CompactStars, vertices: usize, faces: &[[u32; 3]]) {
     let sides = || faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let across: HashSet<[u32; 2]> = sides().collect();
     let boundary = sides().filter(|&[a, b]| !across.contains(&[b, a]));
@@ -58,7 +49,7 @@ fn take_their_formula(name: &str, mesh: &CompactStars, vertices: usize, faces: &
 }
 
 /// Half-edges by vertex, faces by their least vertex and named from there.
-fn keep_their_order(name: &str, mesh: &CompactStars, faces: &[[u32; 3]]) {
+fn keeps_its_order(name: &str, mesh: &CompactStars, faces: &[[u32; 3]]) {
     assert!(mesh.half_edges().is_sorted_by_key(|h| mesh.origin(h)), "{name}");
     assert!(mesh.half_edges().is_sorted(), "{name}");
     assert!(faces.is_sorted_by_key(|face| face[0]), "{name}");
@@ -66,55 +57,26 @@ fn keep_their_order(name: &str, mesh: &CompactStars, faces: &[[u32; 3]]) {
 }
 
 /// A mesh too large for the laws, compared with the list.
-fn agree(name: &str, vertices: usize, faces: &[[u32; 3]], encode: Encoder) -> CompactStars {
+fn agree(name: &str, vertices: usize, faces: &[[u32; 3]], encode: Encoder<CompactStars>) -> CompactStars {
     let (mesh, maps) = encode(vertices, faces).unwrap_or_else(|error| panic!("{name}: {error}"));
     let faces = renumbered(faces, &maps);
     is_of_list(name, &mesh, vertices, &faces);
-    take_their_formula(name, &mesh, vertices, &faces);
-    keep_their_order(name, &mesh, &faces);
+    takes_its_formula(name, &mesh, vertices, &faces);
+    keeps_its_order(name, &mesh, &faces);
     mesh
 }
 
 #[test]
 fn laws_of_the_corpus() {
-    for case in laws::corpus() {
-        for encode in ENCODERS {
-            match (encode(case.vertices, &case.faces), case.refusal(&[])) {
-                (Ok(encoded), None) => obey(&case, &encoded),
-                (Err(error), Some(expected)) => assert_eq!(error, *expected, "{}", case.name),
-                (encoded, expected) => panic!("{}: {encoded:?}, expected {expected:?}", case.name),
-            }
-        }
-    }
+    ENCODERS.into_iter().for_each(renumbered::obeys_on_the_corpus);
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn laws_of_any_list((vertices, faces) in random::lists()) {
-        for encode in ENCODERS {
-            let encoded = encode(vertices, &faces);
-            let expected = naive::error(vertices, &faces, &[]);
-            prop_assert_eq!(encoded.as_ref().err(), expected.as_ref());
-            if let Ok(encoded) = encoded {
-                obey(&Case::counted("at random", vertices, faces.clone()), &encoded);
-            }
-        }
-    }
-
-    /// Pieces of a disk, a torus and a band: manifold more often than not.
-    #[test]
-    fn laws_of_pieces(shape in (1..5u32, 3..5u32, any::<bool>(), any::<bool>()), kept in 0..40usize, seed in any::<u64>()) {
-        let (n, m, around, along) = shape;
-        let (vertices, faces) = grid(n.max(if around { 3 } else { 1 }), m, [around, along], false);
-        let mut faces = mixed(vertices, &faces, seed);
-        faces.truncate(kept.max(1));
-        for encode in ENCODERS {
-            if let Ok(encoded) = encode(vertices, &faces) {
-                obey(&Case::counted("a piece", vertices, faces.clone()), &encoded);
-            }
-        }
+    fn laws_of_any_list((vertices, faces) in prop_oneof![random::lists(), renumbered::pieces()]) {
+        ENCODERS.into_iter().for_each(|encode| renumbered::obeys_or_refuses(encode, vertices, &faces));
     }
 }
 
@@ -156,41 +118,23 @@ fn hubs() {
 #[test]
 fn a_large_hub() {
     const FACES: usize = 100_000;
-    let face = |i: usize| [0, 1 + i * 61_803 % FACES, 1 + (i * 61_803 + 1) % FACES].map(|v| v as u32);
-    let faces: Faces = (0..FACES).map(face).collect();
+    let faces = shuffled_fan(FACES);
     let (mesh, maps) = CompactStars::encode(FACES + 1, &faces).unwrap();
     let hub = VertexId::new(maps.vertex_target[0] as usize);
     assert_eq!((mesh.star(hub).count(), mesh.one_ring(hub).count()), (FACES, FACES));
     let neighbours: HashSet<_> = mesh.one_ring(hub).collect();
     assert_eq!(neighbours.len(), FACES);
-    take_their_formula("a large hub", &mesh, FACES + 1, &renumbered(&faces, &maps));
+    takes_its_formula("a large hub", &mesh, FACES + 1, &renumbered(&faces, &maps));
 }
 
 #[test]
-fn counts_at_the_ends() {
-    for encode in ENCODERS {
-        let error = encode(usize::MAX, &[]).err();
-        assert!(matches!(error, Some(BuildError::TooManyVertices { .. })), "{error:?}");
-        let error = BuildError::VertexOutOfRange { face: 0, vertex: 0, vertex_count: 0 };
-        assert_eq!(encode(0, &[[0, 1, 2]]).err(), Some(error));
-        let (mesh, maps) = encode(0, &[]).unwrap();
-        assert_eq!((mesh.vertex_count(), mesh.half_edge_bound(), maps), (0, 0, Renumbering::default()));
-        let (mesh, _) = encode(100, &[]).unwrap();
-        assert_eq!((mesh.half_edges().count(), mesh.half_edge_bound()), (0, 100));
-    }
+fn impossible_counts() {
+    ENCODERS.into_iter().for_each(renumbered::refuses_impossible_counts);
 }
 
 #[test]
-fn attributes_are_carried() {
-    let (mesh, maps) = CompactStars::encode(4, &[[3, 1, 0], [0, 2, 3]]).unwrap();
-    let names = maps.carry_vertices(&["a", "b", "c", "d"]);
-    let faces = maps.carry_faces(&[["d", "b", "a"], ["a", "c", "d"]]);
-    for (f, named) in mesh.faces().zip(faces) {
-        for h in mesh.face_half_edges(f) {
-            let side = maps.half_edge_source(&mesh, h).index() % 3;
-            assert_eq!(names[mesh.origin(h).index()], named[side]);
-        }
-    }
+fn attributes() {
+    ENCODERS.into_iter().for_each(renumbered::carries_attributes);
 }
 
 #[test]

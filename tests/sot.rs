@@ -12,23 +12,16 @@ mod shapes;
 use onering::conformance::{self as laws, Case};
 use onering::*;
 use proptest::prelude::*;
-use renumbered::{is_of_list, mixed, renumbered};
+use renumbered::{Renumbers, is_of_list, mixed, renumbered, shuffled_fan};
 use shapes::{Faces, grid, shuffled};
 use std::collections::HashMap;
 
-/// The laws, on a case that it holds.
-fn obeys(case: &Case, (mesh, maps): &(Sot, Renumbering)) {
-    let case = Case { faces: renumbered(&case.faces, maps), ..case.clone() };
-    laws::topology(&case, mesh);
-    laws::topology(&case, &mesh);
-    laws::adjacency(&case, mesh);
-    laws::adjacency(&case, &mesh);
-    laws::incidence(&case, mesh);
-    laws::incidence(&case, &mesh);
-    laws::graph(&case, mesh);
-    laws::footprint(&case, mesh);
-    laws::footprint(&case, &mesh.clone());
-    is_sorted(mesh);
+impl Renumbers for Sot {
+    fn keeps_promises(&self, case: &Case) {
+        laws::footprint(case, self);
+        laws::footprint(case, &self.clone());
+        is_sorted(self);
+    }
 }
 
 /// What gives it its name: a matched vertex is the first of the face of its number, and nothing else is stored.
@@ -49,38 +42,15 @@ fn agrees(name: &str, vertices: usize, faces: &[[u32; 3]]) -> Sot {
 
 #[test]
 fn laws_of_the_corpus() {
-    for case in laws::corpus() {
-        match (Sot::encode(case.vertices, &case.faces), case.refusal(&[])) {
-            (Ok(encoded), None) => obeys(&case, &encoded),
-            (Err(error), Some(expected)) => assert_eq!(error, *expected, "{}", case.name),
-            (encoded, expected) => panic!("{}: {encoded:?}, expected {expected:?}", case.name),
-        }
-    }
+    renumbered::obeys_on_the_corpus(Sot::encode);
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn laws_of_any_list((vertices, faces) in random::lists()) {
-        let encoded = Sot::encode(vertices, &faces);
-        let expected = naive::error(vertices, &faces, &[]);
-        prop_assert_eq!(encoded.as_ref().err(), expected.as_ref());
-        if let Ok(encoded) = encoded {
-            obeys(&Case::counted("at random", vertices, faces), &encoded);
-        }
-    }
-
-    /// Pieces of a disk, a torus and a band: manifold more often than not.
-    #[test]
-    fn laws_of_pieces(shape in (1..5u32, 3..5u32, any::<bool>(), any::<bool>()), kept in 0..40usize, seed in any::<u64>()) {
-        let (n, m, around, along) = shape;
-        let (vertices, faces) = grid(n.max(if around { 3 } else { 1 }), m, [around, along], false);
-        let mut faces = mixed(vertices, &faces, seed);
-        faces.truncate(kept.max(1));
-        if let Ok(encoded) = Sot::encode(vertices, &faces) {
-            obeys(&Case::counted("a piece", vertices, faces), &encoded);
-        }
+    fn laws_of_any_list((vertices, faces) in prop_oneof![random::lists(), renumbered::pieces()]) {
+        renumbered::obeys_or_refuses(Sot::encode, vertices, &faces);
     }
 }
 
@@ -158,8 +128,7 @@ fn many_pillows() {
 #[test]
 fn a_hub() {
     const FACES: usize = 100_000;
-    let face = |i: usize| [0, 1 + i * 61_803 % FACES, 1 + (i * 61_803 + 1) % FACES].map(|v| v as u32);
-    let faces: Faces = (0..FACES).map(face).collect();
+    let faces = shuffled_fan(FACES);
     let (mesh, maps) = Sot::encode(FACES + 1, &faces).unwrap();
     let hub = VertexId::new(maps.vertex_target[0] as usize);
     assert_eq!((mesh.star(hub).count(), mesh.one_ring(hub).count()), (FACES, FACES));
@@ -168,26 +137,13 @@ fn a_hub() {
 }
 
 #[test]
-fn counts_at_the_ends() {
-    let error = Sot::encode(usize::MAX, &[]).err();
-    assert!(matches!(error, Some(BuildError::TooManyVertices { .. })), "{error:?}");
-    let error = BuildError::VertexOutOfRange { face: 0, vertex: 0, vertex_count: 0 };
-    assert_eq!(Sot::encode(0, &[[0, 1, 2]]).err(), Some(error));
-    let (mesh, maps) = Sot::encode(0, &[]).unwrap();
-    assert_eq!((mesh.vertex_count(), mesh.heap_bytes(), maps), (0, 0, Renumbering::default()));
+fn impossible_counts() {
+    renumbered::refuses_impossible_counts(Sot::encode);
 }
 
 #[test]
-fn attributes_are_carried() {
-    let (mesh, maps) = Sot::encode(4, &[[3, 1, 0], [0, 2, 3]]).unwrap();
-    let names = maps.carry_vertices(&["a", "b", "c", "d"]);
-    let faces = maps.carry_faces(&[["d", "b", "a"], ["a", "c", "d"]]);
-    for (f, named) in mesh.faces().zip(faces) {
-        for h in mesh.face_half_edges(f) {
-            let side = maps.half_edge_source(&mesh, h).index() % 3;
-            assert_eq!(names[mesh.origin(h).index()], named[side]);
-        }
-    }
+fn attributes() {
+    renumbered::carries_attributes(Sot::encode);
 }
 
 #[test]
