@@ -83,7 +83,7 @@ impl CompactStars {
     /// What stars cannot hold, the first element that is at fault, as all backends say it; see [`BuildError`].
     pub fn encode(vertex_count: usize, faces: &[[u32; 3]]) -> Result<(Self, Renumbering), BuildError> {
         let source = source(vertex_count, faces)?;
-        encode::encode(&source, &reorder::cuthill_mckee(&source))
+        encode::encode(&source, &reorder::try_cuthill_mckee(&source)?)
     }
 
     /// The stars of `faces`, vertices with the numbers that they have; and the maps, of which those of vertices lead each

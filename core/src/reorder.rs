@@ -25,7 +25,7 @@ mod graph;
 mod radix;
 
 pub use curve::{hilbert, morton};
-pub use graph::{breadth_first, cuthill_mckee, reverse_cuthill_mckee};
+pub use graph::{breadth_first, cuthill_mckee, reverse_cuthill_mckee, try_cuthill_mckee};
 
 /// A mesh in another order, and the maps back: what [`reorder`] gives.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -1,5 +1,5 @@
 //! Orders by distance in the graph.
-use crate::{Handle, Map, neighbours::Neighbours};
+use crate::{BuildError, Handle, Map, memory, neighbours::Neighbours};
 use alloc::vec::Vec;
 
 /// The vertices level by level, component after component, each from its least vertex on.
@@ -24,8 +24,11 @@ use alloc::vec::Vec;
 ///
 /// # Source
 /// Standard.
+///
+/// # Panics
+/// If memory does not suffice.
 pub fn breadth_first<G: Neighbours + ?Sized>(graph: &G) -> Vec<G::Node> {
-    let mut search = Search::of(graph);
+    let mut search = Search::of(graph).unwrap_or_else(|error| panic!("{error}"));
     for v in nodes(graph) {
         search.from(v, |_| {});
     }
@@ -59,10 +62,22 @@ pub fn breadth_first<G: Neighbours + ?Sized>(graph: &G) -> Vec<G::Node> {
 /// # Source
 /// Cuthill, McKee, "Reducing the bandwidth of sparse symmetric matrices", ACM National Conference, 1969; a start far
 /// away after George, Liu, "An implementation of a pseudoperipheral node finder", ACM TOMS 5, 1979.
+///
+/// # Panics
+/// If memory does not suffice: [`try_cuthill_mckee`] gives that as an error.
 pub fn cuthill_mckee<G: Neighbours + ?Sized>(graph: &G) -> Vec<G::Node> {
-    let degree = Map::from_fn(graph.node_count(), |v| graph.neighbours(v).count() as u32);
+    try_cuthill_mckee(graph).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// As [`cuthill_mckee`], for the construction of a structure.
+///
+/// # Errors
+/// [`BuildError::OutOfMemory`].
+pub fn try_cuthill_mckee<G: Neighbours + ?Sized>(graph: &G) -> Result<Vec<G::Node>, BuildError> {
+    let degrees = (0..graph.node_count()).map(|v| graph.neighbours(G::Node::new(v)).count() as u32);
+    let degree: Map<G::Node, u32> = memory::collected(degrees)?.into();
     let by_degree = |found: &mut [G::Node]| found.sort_by_key(|&v| degree[v]);
-    let (mut probe, mut search) = (Search::of(graph), Search::of(graph));
+    let (mut probe, mut search) = (Search::of(graph)?, Search::of(graph)?);
     for v in nodes(graph) {
         let farthest = probe.from(v, |_| {});
         if let Some(&start) = probe.order[farthest..].iter().min_by_key(|&&u| degree[u]) {
@@ -70,7 +85,7 @@ pub fn cuthill_mckee<G: Neighbours + ?Sized>(graph: &G) -> Vec<G::Node> {
             probe.order.clear();
         }
     }
-    search.order
+    Ok(search.order)
 }
 
 /// The order of [`cuthill_mckee`] from its end: the same differences of numbers, and where a matrix of this graph is
@@ -90,6 +105,9 @@ pub fn cuthill_mckee<G: Neighbours + ?Sized>(graph: &G) -> Vec<G::Node> {
 ///
 /// # Source
 /// George, "Computer implementation of the finite element method", thesis, Stanford, 1971.
+///
+/// # Panics
+/// As [`cuthill_mckee`].
 pub fn reverse_cuthill_mckee<G: Neighbours + ?Sized>(graph: &G) -> Vec<G::Node> {
     let mut order = cuthill_mckee(graph);
     order.reverse();
@@ -108,8 +126,10 @@ struct Search<'a, G: Neighbours + ?Sized> {
 }
 
 impl<'a, G: Neighbours + ?Sized> Search<'a, G> {
-    fn of(graph: &'a G) -> Self {
-        Self { graph, reached: Map::filled(graph.node_count(), false), order: Vec::new() }
+    /// With room for all, so that nothing grows on the way.
+    fn of(graph: &'a G) -> Result<Self, BuildError> {
+        let count = graph.node_count();
+        Ok(Self { graph, reached: memory::filled(count, false)?.into(), order: memory::with_room(count)? })
     }
 
     /// Goes on from `start` through its component, unless it has been reached; `arrange` puts in order what one vertex
