@@ -20,6 +20,8 @@ mod numbering;
 mod parallel;
 pub(crate) mod pieces;
 mod plain;
+#[cfg(feature = "parallel")]
+mod turns;
 mod writer;
 
 pub(crate) use self::keyword::begins_with_keyword;

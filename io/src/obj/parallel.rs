@@ -1,12 +1,13 @@
 //! Large files in parts, which all threads read at once.
 
 use std::io::Read;
-use std::sync::{Condvar, Mutex};
+use std::sync::Mutex;
 
 use super::Reader;
-use super::lists::{Lists, Needed, Rooms, Share};
+use super::lists::{Lists, Needed, Rooms};
 use super::numbering::Numbering;
 use super::pieces::{Piece, Pieces};
+use super::turns::{Alarm, Turns};
 use crate::memory::reserve;
 use crate::text::without_byte_order_mark;
 use crate::triangles::skip;
@@ -67,15 +68,13 @@ fn work(
         .try_for_each(|worker| worker.place(&turns));
     rayon::scope(|scope| {
         for worker in workers {
-            scope.spawn(
-                |_| {
-                    while worker.place(&turns).is_some() && worker.parse(source, &turns).is_some() {}
-                },
-            );
+            scope.spawn(|_| {
+                let _alarm = Alarm(&turns);
+                while worker.place(&turns).is_some() && worker.parse(source, &turns).is_some() {}
+            });
         }
     });
-    let State { placed, outlook, .. } = turns.state.into_inner().ok()?;
-    (outlook != Outlook::Wrong).then_some((placed, outlook == Outlook::Room))
+    turns.end()
 }
 
 /// Where parts come from, one after the other.
@@ -132,73 +131,6 @@ impl Worker {
     }
 }
 
-/// Who comes next.
-struct Turns<'r, 'a> {
-    state: Mutex<State<'r, 'a>>,
-    change: Condvar,
-}
-
-struct State<'r, 'a> {
-    /// Parts that have their places.
-    placed: usize,
-    outlook: Outlook,
-    rooms: &'r mut Rooms<'a>,
-    /// What is known of them, but for the lists.
-    all: &'r mut Reader,
-}
-
-#[derive(PartialEq)]
-enum Outlook {
-    Room,
-    /// The next part needs more room than there is.
-    Full,
-    Wrong,
-}
-
-impl<'r, 'a> Turns<'r, 'a> {
-    fn new(placed: usize, rooms: &'r mut Rooms<'a>, all: &'r mut Reader) -> Self {
-        let state = State { placed, outlook: Outlook::Room, rooms, all };
-        Self { state: Mutex::new(state), change: Condvar::new() }
-    }
-
-    /// `None` once there is too little room, or something wrong.
-    fn go_on(&self) -> Option<()> {
-        (self.state.lock().ok()?.outlook == Outlook::Room).then_some(())
-    }
-
-    /// The share of this part, when all before it have theirs: some thread is about each of them.
-    fn share(&self, number: usize, part: &Reader) -> Option<Share<'a>> {
-        let is_early = |state: &mut State<'_, '_>| state.outlook == Outlook::Room && state.placed != number;
-        let mut state = self.change.wait_while(self.state.lock().ok()?, is_early).ok()?;
-        if state.outlook != Outlook::Room {
-            return None;
-        }
-        let share = state.rooms.take(part);
-        match &share {
-            Some(_) => {
-                state.all.count(part);
-                state.placed += 1;
-            }
-            // More room would be of no use.
-            None if !state.rooms.has_numbers() => state.outlook = Outlook::Wrong,
-            None => state.outlook = Outlook::Full,
-        }
-        drop(state);
-        self.change.notify_all();
-        share
-    }
-
-    /// Tells all if something is wrong.
-    fn right<T>(&self, result: Option<T>) -> Option<T> {
-        if result.is_none() {
-            // A lock that was left by a panic is as bad.
-            self.state.lock().ok()?.outlook = Outlook::Wrong;
-            self.change.notify_all();
-        }
-        result
-    }
-}
-
 impl Reader {
     /// Empties the reader, for another part of the file; the memory stays.
     fn restart(&mut self) -> &mut Self {
@@ -213,7 +145,7 @@ impl Reader {
     }
 
     /// Takes what was read in the next part, but for its lists.
-    fn count(&mut self, part: &Self) {
+    pub(super) fn count(&mut self, part: &Self) {
         for note in &part.notes {
             // Lines of a part are counted from 1.
             let Place::Line(first) = note.first else { continue };
