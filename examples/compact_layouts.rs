@@ -2,7 +2,7 @@
 //! Compact Half-Edge level 2, on meshes made here and on files (repaired). Bytes a triangle, faces looked at for each
 //! `origin`, sweeps of one-rings, stars and opposites, and construction.
 //!
-//! `cargo run --release --example compact_layouts -- bunny.obj`
+//! `cargo run --release --example compact_layouts -- --large bunny.obj`; without `--large` all is small, and takes seconds.
 use onering::repair::{RepairOptions, repair};
 use onering::{
     Adjacency, BuildError, CheL2, CompactStars, DirectedEdgesSmall, Footprint, FromFaces, Handle, Incidence,
@@ -143,10 +143,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     compare("sphere", sphere(7)?)?;
     compare("torus", grid(256, true))?;
     compare("grid", grid(256, false))?;
-    compare("large torus", grid(1024, true))?;
-    compare("large torus, shuffled", shuffled(grid(1024, true)))?;
-    compare("large grid", grid(1024, false))?;
-    for file in env::args().skip(1) {
+    let mut files = env::args().skip(1).peekable();
+    if files.next_if(|argument| argument == "--large").is_some() {
+        compare("large torus", grid(1024, true))?;
+        compare("large torus, shuffled", shuffled(grid(1024, true)))?;
+        compare("large grid", grid(1024, false))?;
+    }
+    for file in files {
         let mesh = onering_io::load(&file)?;
         let mended = repair(mesh.positions.len(), &mesh.faces, &RepairOptions { weld: None })?;
         compare(&file, (mended.vertex_count, mended.faces))?;
