@@ -1,7 +1,10 @@
 //! Orders along curves that fill space.
 use super::radix::{KEY_BITS, sort};
-use crate::{Handle, Map, NotFinite, not_finite};
+use crate::{Handle, Map, NotFinite, not_finite, workers};
 use alloc::vec::Vec;
+
+/// Points whose keys are worth a thread.
+const PIECE: usize = 1 << 14;
 
 /// Cells along each axis, as a power of two.
 const AXIS_BITS: u32 = KEY_BITS / 3;
@@ -18,7 +21,7 @@ const AXIS_BITS: u32 = KEY_BITS / 3;
 /// Every vertex, once: an order for [`reorder`](super::reorder).
 ///
 /// # Complexity
-/// O(vertices), by radix sort; 32 bytes of scratch for each.
+/// O(vertices), by radix sort; 40 bytes of scratch for each. With the feature `parallel`, all threads find the keys.
 ///
 /// # Errors
 /// [`NotFinite`].
@@ -51,7 +54,7 @@ pub fn hilbert<V: Handle>(positions: &Map<V, [f32; 3]>) -> Result<Vec<V>, NotFin
 /// Every vertex, once: an order for [`reorder`](super::reorder).
 ///
 /// # Complexity
-/// O(vertices), by radix sort; 32 bytes of scratch for each.
+/// O(vertices), by radix sort; 40 bytes of scratch for each. With the feature `parallel`, all threads find the keys.
 ///
 /// # Errors
 /// [`NotFinite`].
@@ -73,11 +76,16 @@ pub fn morton<V: Handle>(positions: &Map<V, [f32; 3]>) -> Result<Vec<V>, NotFini
 /// The vertices by the keys of their cells.
 fn along<V: Handle>(
     positions: &Map<V, [f32; 3]>,
-    key: impl Fn([u32; 3]) -> u64,
+    key: impl Fn([u32; 3]) -> u64 + Sync,
 ) -> Result<Vec<V>, NotFinite> {
     not_finite::positions(positions)?;
-    let cell = cells(positions.as_slice());
-    let mut keyed: Vec<(u64, V)> = positions.iter().map(|(v, &p)| (key(cell(p)), v)).collect();
+    let points = positions.as_slice();
+    let cell = cells(points);
+    let size = points.len().div_ceil(workers::pieces(points.len(), PIECE)).max(1);
+    let pieces = points.chunks(size).collect();
+    let keys = workers::map(pieces, |piece| piece.iter().map(|&p| key(cell(p))).collect::<Vec<u64>>());
+    let mut keyed: Vec<(u64, V)> =
+        keys.into_iter().flatten().enumerate().map(|(v, key)| (key, V::new(v))).collect();
     sort(&mut keyed);
     Ok(keyed.into_iter().map(|(_, v)| v).collect())
 }
