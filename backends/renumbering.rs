@@ -39,7 +39,7 @@ impl Renumbering {
     /// maps these are. What `face` and `face_half_edges` of the mesh take.
     ///
     /// # Panics
-    /// If `h` is out of range.
+    /// If `h` is out of range. Of a gap between the half-edges of compact stars nothing may be asked.
     pub fn half_edge_source<M: Topology + ?Sized>(&self, mesh: &M, h: M::HalfEdge) -> HalfEdgeId {
         let f = mesh.face(h);
         let side = mesh.face_half_edges(f).into_iter().take_while(|&g| g != h).count();

@@ -155,11 +155,25 @@ fn a_vertex_out_of_range() {
     mesh.outgoing(VertexId::new(3));
 }
 
-#[test]
-#[should_panic(expected = "h9 is out of range")]
-fn a_half_edge_out_of_range() {
+/// Whatever it is asked: `what` panics with its name.
+fn panics_out_of_range<T>(what: fn(&CompactStars, HalfEdgeId) -> T) {
     let (mesh, _) = CompactStars::encode(3, &[[0, 1, 2]]).unwrap();
-    mesh.opposite(HalfEdgeId::new(9));
+    let asked = std::panic::catch_unwind(|| drop(what(&mesh, HalfEdgeId::new(9))));
+    let message = asked.expect_err("h9 of nine");
+    assert_eq!(message.downcast_ref::<String>().map(String::as_str), Some("h9 is out of range"));
+}
+
+#[test]
+fn a_half_edge_out_of_range() {
+    panics_out_of_range(CompactStars::origin);
+    panics_out_of_range(CompactStars::target);
+    panics_out_of_range(CompactStars::next);
+    panics_out_of_range(CompactStars::prev);
+    panics_out_of_range(CompactStars::face);
+    panics_out_of_range(CompactStars::opposite);
+    panics_out_of_range(CompactStars::rotate_ccw);
+    panics_out_of_range(CompactStars::rotate_cw);
+    panics_out_of_range(CompactStars::is_boundary);
 }
 
 #[test]

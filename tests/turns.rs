@@ -3,6 +3,8 @@
 use onering::columns::{Columns, FromColumns, Invalid, Source};
 use onering::storage::{Element, Owned};
 use onering::{CheL1, CheL2, CheL3, DirectedEdgesFull, DirectedEdgesMedium, DirectedEdgesSmall, FromFaces};
+use onering::{Handle, Incidence, VertexId};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Columns of words, given as they are, however long they should be.
 struct Words {
@@ -51,6 +53,7 @@ fn is_refused<M: FromColumns + FromFaces>(vertices: &str, links: &str) {
     }
     for column in [vertices, links] {
         assert!(made(&|words| words.column_mut(column).truncate(5)).is_err(), "{column} is short");
+        assert!(made(&|words| words.column_mut(column).push(0)).is_err(), "{column} is long");
     }
 }
 
@@ -62,4 +65,31 @@ fn tables_are_not_made_of_what_turns_would_read_out_of_bounds_by() {
     is_refused::<DirectedEdgesSmall>("target", "rotate_ccw");
     is_refused::<DirectedEdgesMedium>("target", "rotate_ccw");
     is_refused::<DirectedEdgesFull>("target", "rotate_ccw");
+}
+
+/// Columns do not say whether vertices start at half-edges that exist: a turn asks, each time.
+fn begins_with_none_that_exists<
+    M: FromColumns<Over<Owned> = M> + FromFaces + Incidence<Vertex = VertexId>,
+>() {
+    let mut words = Words::of(&M::from_faces(3, &[[0, 1, 2]]).unwrap());
+    words.column_mut("outgoing")[0] = 3;
+    let mesh = M::from_columns::<Owned>(&words).unwrap();
+    let v = VertexId::new(0);
+    let turns: [fn(&M, VertexId) -> usize; 3] = [
+        |mesh, v| mesh.one_ring(v).count(),
+        |mesh, v| mesh.star(v).count(),
+        |mesh, v| mesh.neighbours(v).count(),
+    ];
+    for turn in turns {
+        let made = catch_unwind(AssertUnwindSafe(|| turn(&mesh, v)));
+        let message = made.expect_err("h3 of three");
+        let message = message.downcast_ref::<String>().expect("a message");
+        assert!(message.starts_with("h3 is no half-edge of"), "{message}");
+    }
+}
+
+#[test]
+fn turns_begin_with_a_half_edge_that_exists() {
+    begins_with_none_that_exists::<CheL2>();
+    begins_with_none_that_exists::<DirectedEdgesSmall>();
 }

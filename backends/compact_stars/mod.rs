@@ -31,7 +31,7 @@ type Source = WithOutgoing<CheL1>;
 /// vertex, which comes first in each, by both. Attributes go through the maps.
 ///
 /// # What is not O(1)
-/// `origin`, `outgoing`, turns, `first` and `face_vertices` are, and rings, stars and neighbours take a step for each
+/// `origin`, `target`, `outgoing`, turns, `is_boundary`, `first` and `face_vertices` are, and rings, stars and neighbours take a step for each
 /// item. But `opposite`, `next`, `prev` and `face` **look through the list of a neighbour, O(its degree)**: six numbers
 /// on ordinary meshes, where they took some 35 ns, walks over many half-edges thus many times as long as on directed
 /// edges. To ask all half-edges into a hub for their opposites takes the square of its degree; to turn around it does not.

@@ -21,7 +21,7 @@ impl Topology for CompactStars {
     /// The last vertex whose star starts here or before.
     #[inline(always)]
     fn origin(&self, h: HalfEdgeId) -> VertexId {
-        assert!(h.index() < self.place_count, "{h:?} is out of range");
+        self.assert_exists(h);
         VertexId::new(self.starts.rank(h.index() + 1) - 1)
     }
 
@@ -87,6 +87,12 @@ impl Topology for CompactStars {
 }
 
 impl CompactStars {
+    /// That there is such a place; a gap is not told from a half-edge.
+    #[inline(always)]
+    fn assert_exists(&self, h: HalfEdgeId) {
+        assert!(h.index() < self.place_count, "{h:?} is out of range");
+    }
+
     /// The vertices of the face of `h`, from its origin on.
     #[inline(always)]
     fn corners(&self, h: HalfEdgeId) -> [VertexId; 3] {
@@ -107,15 +113,23 @@ impl Adjacency for CompactStars {
     /// The next place of the star. O(1).
     #[inline]
     fn rotate_ccw(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.assert_exists(h);
         self.after(h.index()).map(HalfEdgeId::new)
     }
 
     /// The place before, in the star, unless that is the first of an open one. O(1).
     #[inline]
     fn rotate_cw(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
+        self.assert_exists(h);
         let turned = self.before(h.index());
         let is_first = self.is_end(self.before(turned));
         (!is_first).then(|| HalfEdgeId::new(turned))
+    }
+
+    /// Whether the star is open and begins with `h`. O(1).
+    #[inline]
+    fn is_boundary(&self, h: HalfEdgeId) -> bool {
+        self.rotate_cw(h).is_none()
     }
 }
 

@@ -82,6 +82,7 @@ impl<L: Layout, S: Storage> FromColumns for Table<L, S> {
     }
 
     fn from_columns<T: Storage>(source: &impl Source<T>) -> Result<Table<L, T>, Invalid> {
+        let () = Self::IS_SOUND;
         let (vertex_count, face_count) = (source.vertex_count(), source.face_count());
         pairing::check_counts(vertex_count, face_count, L::Links::MAX_HALF_EDGES)?;
         let (of_vertices, of_half_edges) = (Some(vertex_count), Some(3 * face_count));

@@ -1,5 +1,5 @@
 //! Turns around a vertex of a [`Table`], without a check of bounds at each step where that is known to be needless.
-#![expect(unsafe_code, reason = "checks cost 14 to 44 % of a turn: see docs/internals.md")]
+#![expect(unsafe_code, reason = "checks cost 3 to 44 % of a turn: see docs/internals.md")]
 use super::{LinkOf, Table};
 use crate::column::{Cells, Kept};
 use crate::layout::Layout;

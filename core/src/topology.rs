@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 ///
 /// A half-edge is one side of one face, so there are three for each face, and a boundary edge has one.
 /// Faces are counter-clockwise. Required methods are O(1), but for `origin` of a sorted opposite table, a walk around
-/// the vertex.
+/// the vertex; and `next`, `prev` and `face` of compact stars look through the ring of a neighbour, O(degree).
 ///
 /// The provided `next`, `prev`, `face` and `first` number half-edges by corners (`3f + k`). A backend that
 /// numbers them otherwise overrides all of them, with `half_edges` and `half_edge_bound`; a caller may assume

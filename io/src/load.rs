@@ -74,6 +74,9 @@ impl Options {
     /// The mesh and the format of a large OBJ or binary STL file, of which only a piece at a time is in memory; `seen`
     /// is shown all its bytes on the way, in order, such as for a checksum. `None` for any other file, and for one with
     /// something wrong: that is to be read as a whole, and what was seen of it to be forgotten. [`load`] does so.
+    ///
+    /// With the feature `parallel`, `seen` is called under a lock by a thread of the pool: it may not wait for other work of
+    /// rayon.
     pub fn load_in_pieces(
         &self,
         path: impl AsRef<Path>,

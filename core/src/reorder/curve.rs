@@ -21,7 +21,7 @@ const AXIS_BITS: u32 = KEY_BITS / 3;
 /// Every vertex, once: an order for [`reorder`](super::reorder).
 ///
 /// # Complexity
-/// O(vertices), by radix sort; 40 bytes of scratch for each. With the feature `parallel`, all threads find the keys.
+/// O(vertices), by radix sort; 32 bytes of scratch for each. With the feature `parallel`, all threads find the keys.
 ///
 /// # Errors
 /// [`NotFinite`].
@@ -54,7 +54,7 @@ pub fn hilbert<V: Handle>(positions: &Map<V, [f32; 3]>) -> Result<Vec<V>, NotFin
 /// Every vertex, once: an order for [`reorder`](super::reorder).
 ///
 /// # Complexity
-/// O(vertices), by radix sort; 40 bytes of scratch for each. With the feature `parallel`, all threads find the keys.
+/// O(vertices), by radix sort; 32 bytes of scratch for each. With the feature `parallel`, all threads find the keys.
 ///
 /// # Errors
 /// [`NotFinite`].
@@ -84,8 +84,8 @@ fn along<V: Handle>(
     let size = points.len().div_ceil(workers::pieces(points.len(), PIECE)).max(1);
     let pieces = points.chunks(size).collect();
     let keys = workers::map(pieces, |piece| piece.iter().map(|&p| key(cell(p))).collect::<Vec<u64>>());
-    let mut keyed: Vec<(u64, V)> =
-        keys.into_iter().flatten().enumerate().map(|(v, key)| (key, V::new(v))).collect();
+    let mut keyed: Vec<(u64, V)> = Vec::with_capacity(points.len());
+    keyed.extend(keys.into_iter().flatten().zip(0..).map(|(key, v)| (key, V::new(v))));
     sort(&mut keyed);
     Ok(keyed.into_iter().map(|(_, v)| v).collect())
 }

@@ -165,7 +165,17 @@ pub(super) struct Share<'a> {
 
 impl Share<'_> {
     /// Fills all of it; `false` if a corner that is counted back names no vertex.
+    ///
+    /// # Panics
+    /// If this is not the share of a part of such counts: some of it would never be written.
     pub(super) fn fill(self, part: &Reader) -> bool {
+        let face_count = part.polygons.faces().len();
+        let start_count = part.polygons.starts().map_or(face_count, <[u32]>::len);
+        assert_eq!(self.faces.len(), face_count, "faces of another part");
+        assert!(
+            self.starts.as_ref().is_none_or(|places| places.len() == start_count),
+            "polygons of another part"
+        );
         self.positions.write_copy_of_slice(&part.positions);
         let (_, mut exist) = settled(part.lowest_skipped, self.vertices);
         for (place, face) in self.faces.iter_mut().zip(part.polygons.faces()) {
@@ -222,6 +232,14 @@ mod tests {
     }
 
     #[test]
+    #[should_panic(expected = "faces of another part")]
+    fn a_share_is_filled_by_its_own_part() {
+        let (mut lists, part_of_one, other) = (Lists::default(), part("f 1 2 3\n"), part("\n"));
+        let fill = |rooms: &mut Rooms<'_>| rooms.take(&part_of_one).unwrap().fill(&other);
+        let _ = lists.with_room(&Needed::by(&part_of_one), fill);
+    }
+
+    #[test]
     fn what_is_larger_than_the_room_is_refused() {
         let mut lists = Lists::default();
         let (large, square) = (part(&"v 0 0 0\n".repeat(3 * ROOM)), part("f 1 2 3 4\n"));
@@ -238,7 +256,8 @@ mod tests {
             let faces = Room { left: &mut [], taken: 0 };
             let mut rooms = Rooms { positions, faces, starts: None, unfilled: &unfilled };
             assert_eq!(rooms.has_numbers(), has_numbers);
-            assert_eq!(rooms.take(&part("\n")).is_some_and(|share| share.fill(&part("\n"))), has_numbers);
+            let empty = part("\n");
+            assert_eq!(rooms.take(&empty).is_some_and(|share| share.fill(&empty)), has_numbers);
         }
     }
 }

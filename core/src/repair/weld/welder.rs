@@ -56,7 +56,8 @@ impl Welder {
     /// Constant time for each on average.
     ///
     /// `false` where the positions were chosen so that a hash table takes too long, or there are too many for one:
-    /// only [`weld_into`](super::weld_into), which can sort them, welds them then, from the first one on.
+    /// only [`weld_into`](super::weld_into), which can sort them, welds them then, from the first one on. After that or
+    /// an error nothing can be added any more, and the positions are those of no mesh.
     ///
     /// # Errors
     /// [`BuildError::OutOfMemory`], or [`BuildError::TooManyVertices`] for more than `u32::MAX` new numbers.
