@@ -5,7 +5,7 @@ use onering_core::{
     Adjacency, BuildError, FaceId, HalfEdgeId, Handle, Pairing, Slot, Topology, VertexId, boundary, corner,
     fans::{self, Fans},
     memory::{self, Spare},
-    pairing,
+    pairing::{self, Starts},
 };
 
 /// Records of irregular elements, one after the other: each its length, then its half-edges. Places are counted
@@ -81,7 +81,11 @@ pub(crate) fn links<K: Link>(
     spare: &mut Spare,
 ) -> Result<Links<K>, BuildError> {
     let table = spare.table(3 * faces.len())?;
-    let paired = pairing::pair_into(vertex_count, faces, pairing, table, spare)?;
+    let (paired, starts) = if with_outgoing {
+        pairing::pair_with_starts(vertex_count, faces, pairing, table, spare)?
+    } else {
+        (pairing::pair_into(vertex_count, faces, pairing, table, spare)?, None)
+    };
     let mut edge_records = Records::default();
     let opposite = if holds {
         edge_records = Records::new(paired.irregular.iter())?;
@@ -91,7 +95,7 @@ pub(crate) fn links<K: Link>(
     };
     let (mut outgoing, mut vertex_records) = (Vec::new(), Records::default());
     if with_outgoing {
-        let fans = fans_of(vertex_count, faces, &opposite, spare.room(vertex_count)?)?;
+        let fans = fans_of(vertex_count, faces, &opposite, starts, spare)?;
         if holds {
             vertex_records = Records::new(fans.several.iter().map(|(_, starts)| &starts[..]))?;
             outgoing = into_links(fans.outgoing.into_vec());
@@ -111,14 +115,18 @@ pub(crate) fn links<K: Link>(
     Ok(Links { opposite, edge_records, outgoing, vertex_records })
 }
 
-/// The fans of faces with opposites, before there is a mesh, into `table`.
+/// The fans of faces with opposites, before there is a mesh, where the pairing has not found their starts.
 pub(crate) fn fans_of<'a>(
     vertex_count: usize,
     faces: &'a [[u32; 3]],
     opposite: &'a [Slot<HalfEdgeId>],
-    table: Vec<Slot<HalfEdgeId>>,
+    starts: Starts,
+    spare: &mut Spare,
 ) -> Result<Fans<impl Topology<Vertex = VertexId, HalfEdge = HalfEdgeId> + use<'a>>, BuildError> {
-    fans::fans_into(&View { vertex_count, faces, opposite }, table)
+    match starts {
+        Some(starts) => Ok(Fans { outgoing: starts.into(), several: Vec::new() }),
+        None => fans::fans_into(&View { vertex_count, faces, opposite }, spare.room(vertex_count)?),
+    }
 }
 
 /// The same table in another coding, in place.

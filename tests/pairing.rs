@@ -6,8 +6,8 @@ mod random;
 
 use onering::conformance::torus;
 use onering::memory::Spare;
-use onering::pairing::{pair, pair_into};
-use onering::{Handle, Pairing, Slot};
+use onering::pairing::{pair, pair_into, pair_with_starts};
+use onering::{DirectedEdgesSmall, FromFaces, Handle, Pairing, Slot, fans};
 use proptest::prelude::*;
 use random::List;
 
@@ -18,6 +18,23 @@ fn agree((vertices, faces): &List) -> Result<(), TestCaseError> {
         let found = pair(*vertices, faces, pairing).unwrap();
         prop_assert!(found.opposite == expected.opposite, "{}: opposites", pairing);
         prop_assert_eq!(&found.irregular, &expected.irregular, "{}", pairing);
+    }
+    starts_agree(*vertices, faces)
+}
+
+/// The partition pairs alike where it looks for the starts of fans, and finds those that a look at all half-edges finds:
+/// where there are further ones, or irregular edges, none.
+fn starts_agree(vertices: usize, faces: &[[u32; 3]]) -> Result<(), TestCaseError> {
+    let spare = &mut Spare::default();
+    let (paired, starts) = pair_with_starts(vertices, faces, Pairing::Partition, Vec::new(), spare).unwrap();
+    prop_assert!(paired == pair(vertices, faces, Pairing::Partition).unwrap());
+    let mesh = DirectedEdgesSmall::build(vertices, faces.into(), Pairing::Hash).unwrap();
+    let fans = fans::fans(&mesh).unwrap();
+    let is_plain = paired.irregular.is_empty() && fans.several.is_empty();
+    let is_sparse = vertices > 3 * faces.len();
+    match starts {
+        Some(starts) => prop_assert!(is_plain && starts == fans.outgoing.as_slice()),
+        None => prop_assert!(!is_plain || is_sparse),
     }
     Ok(())
 }
@@ -130,6 +147,9 @@ fn pieces_agree() {
     assert_eq!(pair(60_000, &faces, Pairing::Auto).unwrap().taken, Pairing::Partition);
     agree(&(60_000, faces)).unwrap();
     agree(&fan(100_000, true)).unwrap();
+    let (vertices, mut open) = fan(100_000, false);
+    open.swap_remove(50_000);
+    agree(&(vertices, open)).unwrap();
     // No vertex has a second edge, and most have none.
     agree(&(1 << 22, (0..100_000).map(|i| [i, 2 * i + 1_000_000, 2 * i + 1_000_001]).collect())).unwrap();
 }

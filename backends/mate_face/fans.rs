@@ -3,7 +3,11 @@ use super::cell::{Cell, Walk};
 use crate::build::{fans_of, numbered};
 use crate::link::CodedLink;
 use alloc::vec::Vec;
-use onering_core::{BuildError, FaceId, HalfEdgeId, Handle, Slot, VertexId, memory};
+use onering_core::{
+    BuildError, FaceId, HalfEdgeId, Handle, Slot, VertexId,
+    memory::{self, Spare},
+    pairing::Starts,
+};
 
 /// Where in its fan a cell is. What comes first makes the better start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -54,14 +58,15 @@ pub(super) fn find(vertex_count: usize, cells: &[Cell]) -> Result<(Vec<CodedLink
 }
 
 /// The same for faces that agree in orientation, found by their opposites: a fan is then what it is for all structures, and
-/// its start is in the lowest face. The links are in the memory of `table`.
+/// its start is in the lowest face. The pairing may have found them; else they are in a table of `spare`.
 pub(super) fn of_opposites(
     vertex_count: usize,
     faces: &[[u32; 3]],
     opposite: &[Slot<HalfEdgeId>],
-    table: Vec<Slot<HalfEdgeId>>,
+    starts: Starts,
+    spare: &mut Spare,
 ) -> Result<(Vec<CodedLink>, Vec<u32>), BuildError> {
-    let fans = fans_of(vertex_count, faces, opposite, table)?;
+    let fans = fans_of(vertex_count, faces, opposite, starts, spare)?;
     let face = |h: HalfEdgeId| FaceId::new(h.index() / 3);
     let link = |start: Slot<HalfEdgeId>| CodedLink::from(Slot::from(start.get().map(face).map(as_number)));
     let mut links: Vec<CodedLink> = fans.outgoing.into_vec().into_iter().map(link).collect(); // in place

@@ -159,12 +159,11 @@ impl Recycle for MateFace {
         // Opposites become mates where they are: so there is room for cells from the start.
         let mut table = spare.table(6 * faces.len())?;
         table.truncate(3 * faces.len());
-        let paired = pairing::pair_into(vertex_count, &faces, pairing, table, spare)?;
+        let (paired, starts) = pairing::pair_with_starts(vertex_count, &faces, pairing, table, spare)?;
         let paired = paired.refuse_non_manifold(&faces)?;
         let mut across = paired.opposite;
         if paired.irregular.is_empty() {
-            let table = spare.room(vertex_count)?;
-            let (vertices, records) = fans::of_opposites(vertex_count, &faces, &across, table)?;
+            let (vertices, records) = fans::of_opposites(vertex_count, &faces, &across, starts, spare)?;
             let cells = cells(&faces, across)?;
             return Ok(Self { cells, vertices: vertices.into(), records: records.into() });
         }

@@ -4,7 +4,7 @@
 //! or two on a mesh in order, takes it out, and both have their opposite. A third half-edge on that edge then looks
 //! like the first of a new one. So a vertex has a filter as well, one bit of 56 for each edge by its other end, and counts
 //! its edges. Where they are more than bits are set, two may be one: [`doubts`] settles that in the end.
-use super::{Paired, Pairing, doubts, joiner::Joiner, partition};
+use super::{Paired, Pairing, Starts, doubts, joiner::Joiner, partition};
 use crate::{BuildError, HalfEdgeId, Handle, Slot, corner, memory::Spare};
 use alloc::vec::Vec;
 
@@ -22,10 +22,11 @@ pub(super) fn pair(
     vertex_count: usize,
     faces: &[[u32; 3]],
     table: Vec<Slot<HalfEdgeId>>,
+    wants_starts: bool,
     spare: &mut Spare,
-) -> Result<Paired, BuildError> {
+) -> Result<(Paired, Starts), BuildError> {
     if table.len() > END as usize {
-        return partition::pair(vertex_count, faces, table);
+        return partition::pair(vertex_count, faces, table, wants_starts, spare);
     }
     let mut cells: Vec<u32> = bytemuck::cast_vec(table);
     let mut vertices = Vertices::new(vertex_count, spare)?;
@@ -33,7 +34,7 @@ pub(super) fn pair(
     let opposite = bytemuck::cast_vec(cells); // `NONE` is none
     if !is_done {
         vertices.leave(spare);
-        return partition::pair(vertex_count, faces, opposite);
+        return partition::pair(vertex_count, faces, opposite, wants_starts, spare);
     }
     let mut joiner = Joiner::with(faces, opposite);
     let lows = doubts::unsettled(&vertices, faces, &joiner)?;
@@ -41,7 +42,7 @@ pub(super) fn pair(
     if !lows.is_empty() {
         partition::pair_again(vertex_count, faces, Some(&lows), &mut joiner)?;
     }
-    joiner.finish(Pairing::Chain)
+    Ok((joiner.finish(Pairing::Chain)?, None))
 }
 
 /// What is known of each lower vertex.

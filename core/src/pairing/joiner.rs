@@ -67,11 +67,6 @@ impl<'a> Joiner<'a> {
         Self { faces, opposite, extra: Vec::new() }
     }
 
-    /// Both tables, for a strategy that writes them itself.
-    pub(super) fn tables(&mut self) -> (&mut [Slot<HalfEdgeId>], &mut Extra) {
-        (&mut self.opposite, &mut self.extra)
-    }
-
     /// What `h` was joined to.
     pub(super) fn opposite(&self, h: HalfEdgeId) -> Option<HalfEdgeId> {
         self.opposite[h.index()].get()
@@ -102,9 +97,15 @@ impl<'a> Joiner<'a> {
         self.opposite[h] = Slot::some(HalfEdgeId::new(root));
     }
 
-    /// `h` lies along the edge of `root` as well, and does not pair.
-    pub(super) fn add(&mut self, root: usize, h: usize) -> Result<(), BuildError> {
-        memory::push(&mut self.extra, (HalfEdgeId::new(root), HalfEdgeId::new(h)))
+    /// Half-edges that lie along the edge of a root and do not pair, found by a strategy.
+    pub(super) fn add(&mut self, extra: Extra) -> Result<(), BuildError> {
+        if self.extra.is_empty() {
+            self.extra = extra;
+        } else {
+            memory::reserve(&mut self.extra, extra.len())?;
+            self.extra.extend(extra);
+        }
+        Ok(())
     }
 
     pub(super) fn finish(mut self, taken: Pairing) -> Result<Paired, BuildError> {

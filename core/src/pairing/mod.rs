@@ -4,6 +4,7 @@
 //! same two vertices. All else follows from that, so all give the same result on every input.
 mod chain;
 mod check;
+mod corners;
 mod deal;
 mod doubts;
 mod hash;
@@ -11,6 +12,7 @@ mod joiner;
 mod paper_hash;
 mod partition;
 mod quadratic;
+mod sides;
 
 use crate::{
     BuildError, HalfEdgeId, Slot,
@@ -40,8 +42,8 @@ pub enum Pairing {
     /// faces that are near in the mesh are near in the list. Goes over to `Partition` where lists get long, so it is never
     /// worse than that by more than a constant.
     Chain,
-    /// Half-edges dealt into parts of the size of the cache by the lower vertex of their edge, and sorted there.
-    /// O(n log(largest degree)), whatever the input; the fastest on a shuffled mesh.
+    /// Half-edges dealt into parts of the size of the cache by a vertex of theirs, and sorted there. O(n log(largest
+    /// degree)), whatever the input; the fastest on a shuffled mesh.
     Partition,
 }
 
@@ -97,8 +99,8 @@ pub struct Paired {
 }
 
 /// Pairs the half-edges of `faces`. Beyond the result, on a mesh without irregular edges, `Chain` takes 12 bytes a
-/// vertex, `Partition` 30 a face and some 12 more for each half-edge of the largest part, `PaperHash` 24 a face, `Hash`
-/// some 40 to 80 a face, and `Quadratic` nothing. `Auto` is one of the first two.
+/// vertex, `Partition` 30 a face (half of that above some 7 million) and some 12 more for each half-edge of the largest
+/// part, `PaperHash` 24 a face, `Hash` some 40 to 80 a face, and `Quadratic` nothing. `Auto` is one of the first two.
 ///
 /// # Errors
 /// [`BuildError::VertexOutOfRange`] or [`BuildError::DegenerateFace`] for the lowest such face; more vertices or
@@ -109,7 +111,7 @@ pub fn pair(vertex_count: usize, faces: &[[u32; 3]], pairing: Pairing) -> Result
 }
 
 /// The same into a table that there is: it becomes [`Paired::opposite`], of whatever length it was and whatever it held.
-/// `Chain` takes its scratch from `spare` and gives it back.
+/// Scratch is taken from `spare` where it has some, and that of `Chain` is given back.
 ///
 /// # Errors
 /// As for [`pair`].
@@ -117,20 +119,55 @@ pub fn pair_into(
     vertex_count: usize,
     faces: &[[u32; 3]],
     pairing: Pairing,
-    mut table: Vec<Slot<HalfEdgeId>>,
+    table: Vec<Slot<HalfEdgeId>>,
     spare: &mut Spare,
 ) -> Result<Paired, BuildError> {
+    Ok(pair_as(vertex_count, faces, pairing, table, false, spare)?.0)
+}
+
+/// For each vertex the start of its fan, as [`Fans::outgoing`](crate::fans::Fans::outgoing) has it; nothing where they are
+/// still to be looked for.
+pub type Starts = Option<Vec<Slot<HalfEdgeId>>>;
+
+/// As [`pair_into`], and the starts of fans, where pairing finds them by the way: `Partition`, where no edge is irregular and
+/// no vertex has several fans. They are in a table of `spare`. `Partition` then takes 42 bytes a face (half of that above
+/// some 5 million) and some 12 for each corner of the largest part, with 28 more for each around a vertex of more than 32
+/// faces.
+///
+/// # Errors
+/// As for [`pair`].
+pub fn pair_with_starts(
+    vertex_count: usize,
+    faces: &[[u32; 3]],
+    pairing: Pairing,
+    table: Vec<Slot<HalfEdgeId>>,
+    spare: &mut Spare,
+) -> Result<(Paired, Starts), BuildError> {
+    pair_as(vertex_count, faces, pairing, table, true, spare)
+}
+
+fn pair_as(
+    vertex_count: usize,
+    faces: &[[u32; 3]],
+    pairing: Pairing,
+    mut table: Vec<Slot<HalfEdgeId>>,
+    wants_starts: bool,
+    spare: &mut Spare,
+) -> Result<(Paired, Starts), BuildError> {
     check_counts(vertex_count, faces.len(), u32::MAX as usize - 1)?;
     memory::resize(&mut table, 3 * faces.len(), Slot::NONE)?;
     check_faces(vertex_count, faces)?;
     let chosen = if pairing == Pairing::Auto { Pairing::choose(vertex_count, faces) } else { pairing };
-    match chosen {
-        Pairing::Chain => chain::pair(vertex_count, faces, table, spare),
+    let paired = match chosen {
+        Pairing::Chain => return chain::pair(vertex_count, faces, table, wants_starts, spare),
+        Pairing::Partition | Pairing::Auto => {
+            return partition::pair(vertex_count, faces, table, wants_starts, spare);
+        }
         Pairing::Quadratic => quadratic::pair(faces, table),
         Pairing::PaperHash => paper_hash::pair(faces, table),
         Pairing::Hash => hash::pair(faces, table),
-        Pairing::Partition | Pairing::Auto => partition::pair(vertex_count, faces, table),
-    }
+    };
+    Ok((paired?, None))
 }
 
 impl Paired {

@@ -1,81 +1,123 @@
-//! Half-edges dealt into parts of the size of the cache by the lower vertex of their edge, and paired there.
+//! Half-edges dealt into parts of the size of the cache by a vertex of theirs, and paired there.
 //!
 //! On a shuffled mesh a table over all vertices or edges waits for memory at each half-edge. Here faces are read and
-//! entries written in order, and only the opposites go to places without an order: two for each edge.
+//! entries written in order, and only the opposites go to places without an order.
+//!
+//! The lower vertex of the edge is enough to pair ([`Sides`]). Where the starts of fans are wanted as well, the vertex is
+//! the origin: then all corners of a vertex are in one place, and a turn around it is made there ([`Corners`]).
 //!
 //! With the feature `parallel`, each thread deals a piece of the list and pairs some of the parts. An entry comes to the
 //! same place whoever deals it, so that nothing depends on the threads.
-use super::deal::{Dealt, Part, Plan};
+use super::deal::{Dealt, Entry, Part, Plan};
 use super::{
-    Paired, Pairing,
+    Paired, Pairing, Starts,
+    corners::Corners,
     joiner::{Extra, Joiner},
+    sides::Sides,
 };
-use crate::{BuildError, HalfEdgeId, Handle, Slot, memory, workers};
+use crate::{
+    BuildError, HalfEdgeId, Slot,
+    memory::{self, Spare},
+    workers,
+};
 use alloc::vec::Vec;
-use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use core::{
+    ops::Range,
+    sync::atomic::{AtomicU32, Ordering::Relaxed},
+};
 
 /// Half-edges that are worth a thread.
 const PIECE: usize = 1 << 16;
 
 /// Buckets of so many are searched, others sorted.
-const FEW: usize = 32;
+pub(super) const FEW: usize = 32;
 
-/// A half-edge: its origin, its target, its number.
-type Entry = [u32; 3];
+/// No opposite, and no start, as a [`Slot`] holds it.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// Half-edges of a part, sorted by their vertex.
+pub(super) trait Sorted: Sized {
+    /// What is dealt of each.
+    type Entry: Entry;
+
+    /// Room for so many.
+    fn new(count: usize) -> Result<Self, BuildError>;
+
+    fn put(&mut self, place: usize, entry: Self::Entry);
+
+    /// Pairs the half-edges that were dealt to `vertex`, which are in the order of the list: sets the opposite of each or
+    /// `NONE`, and puts those of irregular edges into `extra`. Gives the start of the fan, or `NONE` where there is no face,
+    /// if that is known, no edge is irregular and there is one fan at most.
+    fn pair(
+        &mut self,
+        vertex: u32,
+        bucket: Range<usize>,
+        set: &mut impl FnMut(u32, u32),
+        extra: &mut Extra,
+    ) -> Result<Option<u32>, BuildError>;
+}
 
 pub(super) fn pair(
     vertex_count: usize,
     faces: &[[u32; 3]],
     table: Vec<Slot<HalfEdgeId>>,
-) -> Result<Paired, BuildError> {
-    let pieces = workers::pieces(3 * faces.len(), PIECE);
+    wants_starts: bool,
+    spare: &mut Spare,
+) -> Result<(Paired, Starts), BuildError> {
     let Some(plan) = Plan::new(vertex_count, 3 * faces.len()) else {
         let mut joiner = Joiner::new(faces, table);
         pair_again(vertex_count, faces, None, &mut joiner)?;
-        return joiner.finish(Pairing::Partition);
+        return Ok((joiner.finish(Pairing::Partition)?, None));
     };
-    let dealt = Dealt::new(plan, faces, pieces)?;
-    let joiner = if pieces == 1 {
-        let mut joiner = Joiner::new(faces, table);
-        let (opposite, extra) = joiner.tables();
-        let pair = |g: u32, h: u32| {
-            opposite[g as usize] = Slot::some(HalfEdgeId::new(h as usize));
-            opposite[h as usize] = Slot::some(HalfEdgeId::new(g as usize));
-        };
-        *extra = Buckets::new(&dealt)?.pair_all(dealt.parts(), pair)?;
-        joiner
-    } else {
-        shared(faces, &dealt, table, pieces)?
-    };
-    drop(dealt); // the records may need the memory
-    joiner.finish(Pairing::Partition)
+    if !wants_starts {
+        let (paired, _) = pair_parts::<Sides>(plan, faces, table, &mut [])?;
+        return Ok((paired, None));
+    }
+    let mut starts = spare.table(vertex_count)?;
+    let (paired, has_starts) =
+        pair_parts::<Corners>(plan, faces, table, bytemuck::cast_slice_mut(&mut starts))?;
+    if has_starts {
+        return Ok((paired, Some(starts)));
+    }
+    spare.keep(starts);
+    Ok((paired, None))
 }
 
-/// By several threads, none of which writes where another does.
-fn shared<'a>(
-    faces: &'a [[u32; 3]],
-    dealt: &Dealt,
+/// Gives whether all starts are known as well; they are put into `starts`, which has a place for each vertex, or none.
+fn pair_parts<S: Sorted>(
+    plan: Plan,
+    faces: &[[u32; 3]],
     table: Vec<Slot<HalfEdgeId>>,
-    pieces: usize,
-) -> Result<Joiner<'a>, BuildError> {
-    const NONE: u32 = u32::MAX;
-    // Both ways the vector keeps its memory.
-    let opposite: Vec<AtomicU32> = table.into_iter().map(|_| AtomicU32::new(NONE)).collect();
-    let found = workers::map(dealt.shares(pieces), |parts| {
-        let pair = |g: u32, h: u32| {
-            opposite[g as usize].store(h, Relaxed);
-            opposite[h as usize].store(g, Relaxed);
+    starts: &mut [u32],
+) -> Result<(Paired, bool), BuildError> {
+    let pieces = workers::pieces(3 * faces.len(), PIECE);
+    let mut dealt = Dealt::<S::Entry>::new(plan, faces, pieces)?;
+    // Both ways the vector keeps its memory. No two threads write to one place.
+    let opposite: Vec<u32> = bytemuck::cast_vec(table);
+    let opposite: Vec<AtomicU32> = opposite.into_iter().map(AtomicU32::new).collect();
+    let set = |h: u32, o: u32| opposite[h as usize].store(o, Relaxed);
+    let (mut found, mut rest) = (Vec::new(), starts);
+    for parts in dealt.rounds() {
+        dealt.deal(parts)?;
+        let with_starts = |parts: Range<usize>| {
+            let count = (parts.len() * plan.vertices_of_part()).min(rest.len());
+            (parts, rest.split_off_mut(..count).unwrap_or_default())
         };
-        Buckets::new(dealt)?.pair_all(parts, pair)
-    });
+        let shares = dealt.shares(pieces).into_iter().map(with_starts).collect();
+        found.extend(workers::map(shares, |(parts, starts)| {
+            Buckets::<S>::new(&dealt)?.pair_all(parts, starts, set)
+        }));
+    }
+    drop(dealt); // the records may need the memory
     let opposite: Vec<u32> = opposite.into_iter().map(AtomicU32::into_inner).collect();
     let mut joiner = Joiner::with(faces, bytemuck::cast_vec(opposite));
-    for extra in found {
-        for (root, h) in extra? {
-            joiner.add(root.index(), h.index())?;
-        }
+    let mut has_starts = true;
+    for found in found {
+        let (extra, is_known) = found?;
+        joiner.add(extra)?;
+        has_starts &= is_known;
     }
-    Ok(joiner)
+    Ok((joiner.finish(Pairing::Partition)?, has_starts))
 }
 
 /// Pairs all edges of some lower vertices once more, or of all. O(n log n) in all of them together.
@@ -87,62 +129,70 @@ pub(super) fn pair_again(
 ) -> Result<(), BuildError> {
     let mut is_again = memory::filled(lows.map_or(0, |_| vertex_count), false)?;
     lows.into_iter().flatten().for_each(|&low| is_again[low as usize] = true);
-    let mut entries: Vec<Entry> = Vec::new();
+    // Lower end, higher end, half-edge.
+    let mut entries: Vec<[u32; 3]> = Vec::new();
     for (f, &[a, b, c]) in faces.iter().enumerate() {
         for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
             if lows.is_none() || is_again[a.min(b) as usize] {
-                memory::push(&mut entries, [a, b, (3 * f + k) as u32])?;
+                memory::push(&mut entries, [a.min(b), a.max(b), (3 * f + k) as u32])?;
             }
         }
     }
     drop(is_again);
     entries.iter().for_each(|&[_, _, h]| joiner.part(h as usize));
-    let edge = |&[a, b, _]: &Entry| (a.min(b), a.max(b));
-    entries.sort_unstable_by_key(|entry| (edge(entry), entry[2]));
-    let (opposite, extra) = joiner.tables();
-    let mut pair = |g: u32, h: u32| {
-        opposite[g as usize] = Slot::some(HalfEdgeId::new(h as usize));
-        opposite[h as usize] = Slot::some(HalfEdgeId::new(g as usize));
-    };
-    for entries in entries.chunk_by(|x, y| edge(x) == edge(y)) {
-        join(entries.iter().map(|&[a, b, h]| (h, a < b)), &mut pair, extra)?;
+    entries.sort_unstable();
+    for edge in entries.chunk_by(|x, y| x[..2] == y[..2]) {
+        for &[_, _, h] in &edge[1..] {
+            joiner.join(edge[0][2] as usize, h as usize)?;
+        }
     }
     Ok(())
 }
 
-/// The edges of one part after the other, in buckets by their lower vertex.
-struct Buckets {
+/// The half-edges of one part after the other, in buckets by their vertex.
+struct Buckets<'a, S: Sorted> {
+    dealt: &'a Dealt<'a, S::Entry>,
     /// The end of each bucket.
     ends: Vec<u32>,
-    /// Words of entries.
-    sorted: Vec<u64>,
+    sorted: S,
 }
 
-impl Buckets {
-    fn new(dealt: &Dealt) -> Result<Self, BuildError> {
-        let sorted = memory::filled(dealt.longest(), 0)?;
-        Ok(Self { ends: memory::filled(dealt.plan.vertices_of_part(), 0)?, sorted })
+impl<'a, S: Sorted> Buckets<'a, S> {
+    fn new(dealt: &'a Dealt<'a, S::Entry>) -> Result<Self, BuildError> {
+        let ends = memory::filled(dealt.plan.vertices_of_part(), 0)?;
+        Ok(Self { dealt, ends, sorted: S::new(dealt.longest())? })
     }
 
-    fn pair_all<'a>(
+    /// Gives what does not pair, and whether all starts are known. They are put into `starts`, which has places for the
+    /// vertices of these parts, or none.
+    fn pair_all(
         mut self,
-        parts: impl Iterator<Item = Part<'a>>,
-        mut pair: impl FnMut(u32, u32),
-    ) -> Result<Extra, BuildError> {
-        let mut extra = Extra::new();
+        parts: Range<usize>,
+        starts: &mut [u32],
+        mut set: impl FnMut(u32, u32),
+    ) -> Result<(Extra, bool), BuildError> {
+        let (mut extra, mut is_known) = (Extra::new(), true);
+        let size = self.ends.len();
+        let mut starts = starts.chunks_mut(size);
         for part in parts {
-            self.fill(part);
-            let mut start = 0;
-            for &end in &self.ends {
-                pair_bucket(&mut self.sorted[start as usize..end as usize], &mut pair, &mut extra)?;
-                start = end;
+            self.fill(self.dealt.part(part));
+            let starts = starts.next().unwrap_or_default();
+            let mut begin = 0;
+            for (i, &end) in self.ends.iter().enumerate() {
+                let bucket = begin..end as usize;
+                let start = self.sorted.pair((part * size + i) as u32, bucket, &mut set, &mut extra)?;
+                is_known &= start.is_some();
+                if let Some(place) = starts.get_mut(i) {
+                    *place = start.unwrap_or(NONE);
+                }
+                begin = end as usize;
             }
         }
-        Ok(extra)
+        Ok((extra, is_known))
     }
 
-    /// Sorts the entries of a part by their lower vertex; those of one stay in order.
-    fn fill(&mut self, part: Part<'_>) {
+    /// Sorts the half-edges of a part by their vertex; those of one stay in order.
+    fn fill(&mut self, part: Part<'_, S::Entry>) {
         let last = self.ends.len() - 1; // a power of two less one
         self.ends.fill(0);
         for &low in part.lows {
@@ -152,87 +202,10 @@ impl Buckets {
         for end in &mut self.ends {
             (*end, sum) = (sum, sum + *end);
         }
-        for (&word, &low) in part.words.iter().zip(part.lows) {
+        for (&entry, &low) in part.entries.iter().zip(part.lows) {
             let end = &mut self.ends[low as usize & last];
-            self.sorted[*end as usize] = word;
+            self.sorted.put(*end as usize, entry);
             *end += 1;
         }
     }
-}
-
-/// Where the higher vertex stands in a word; below it are the direction and the half-edge.
-const HIGH: u32 = 33;
-
-/// A half-edge of an entry, and whether it goes up.
-fn half_edge(word: u64) -> (u32, bool) {
-    (word as u32, word >> 32 & 1 != 0)
-}
-
-/// Pairs the half-edges of one lower vertex. They are in the order of the list.
-#[inline(always)]
-fn pair_bucket(
-    bucket: &mut [u64],
-    pair: &mut impl FnMut(u32, u32),
-    extra: &mut Extra,
-) -> Result<(), BuildError> {
-    if bucket.len() > FEW {
-        return pair_by_sort(bucket, pair, extra);
-    }
-    let mut is_paired = 0_u32;
-    for i in 0..bucket.len() {
-        if is_paired >> i & 1 != 0 {
-            continue;
-        }
-        // Without a branch in the loop.
-        let (mut found, mut count) = (i, 0);
-        for j in i + 1..bucket.len() {
-            let is_same = (bucket[i] ^ bucket[j]) >> HIGH == 0;
-            found = if is_same { j } else { found };
-            count += usize::from(is_same);
-        }
-        let ((g, g_up), (h, h_up)) = (half_edge(bucket[i]), half_edge(bucket[found]));
-        if count == 1 && g_up != h_up {
-            is_paired |= 1 << found;
-            pair(g, h);
-        } else if count > 0 {
-            // What was paired already is paired alike.
-            return pair_by_sort(bucket, pair, extra);
-        }
-    }
-    Ok(())
-}
-
-/// Many edges of one lower vertex, or irregular ones.
-#[inline(never)]
-fn pair_by_sort(
-    bucket: &mut [u64],
-    pair: &mut impl FnMut(u32, u32),
-    extra: &mut Extra,
-) -> Result<(), BuildError> {
-    // By the higher vertex, then by the half-edge: all but the direction, in one comparison.
-    bucket.sort_unstable_by_key(|&word| word & !(1 << (HIGH - 1)));
-    for edge in bucket.chunk_by(|x, y| x >> HIGH == y >> HIGH) {
-        join(edge.iter().map(|&word| half_edge(word)), pair, extra)?;
-    }
-    Ok(())
-}
-
-/// The half-edges of one edge, ascending, each with its direction.
-#[inline]
-fn join(
-    mut half_edges: impl Iterator<Item = (u32, bool)>,
-    pair: &mut impl FnMut(u32, u32),
-    extra: &mut Extra,
-) -> Result<(), BuildError> {
-    let Some((root, is_up)) = half_edges.next() else { return Ok(()) };
-    let mut is_paired = false;
-    for (h, goes_up) in half_edges {
-        if is_up != goes_up && !is_paired {
-            is_paired = true;
-            pair(root, h);
-        } else {
-            memory::push(extra, (HalfEdgeId::new(root as usize), HalfEdgeId::new(h as usize)))?;
-        }
-    }
-    Ok(())
 }
