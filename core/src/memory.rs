@@ -2,6 +2,7 @@
 use crate::BuildError;
 use alloc::{borrow::Cow, vec::Vec};
 
+mod huge_pages;
 mod spare;
 pub use spare::Spare;
 
@@ -27,7 +28,9 @@ pub fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, BuildError> {
 #[expect(clippy::missing_errors_doc, reason = "said once, at `with_room`")]
 pub fn zeroed<T: bytemuck::Zeroable>(count: usize) -> Result<Vec<T>, BuildError> {
     let failed = |()| BuildError::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) };
-    bytemuck::allocation::try_zeroed_vec(count).map_err(failed)
+    let mut table = bytemuck::allocation::try_zeroed_vec(count).map_err(failed)?;
+    huge_pages::advise(&mut table);
+    Ok(table)
 }
 
 /// Makes a table longer, by `value`, or shorter.
@@ -41,7 +44,12 @@ pub fn resize<T: Clone>(table: &mut Vec<T>, count: usize, value: T) -> Result<()
 /// Room for `count` values in all.
 fn reserve_exact<T>(table: &mut Vec<T>, count: usize) -> Result<(), BuildError> {
     let failed = |_| BuildError::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) };
-    table.try_reserve_exact(count.saturating_sub(table.len())).map_err(failed)
+    let had = table.capacity();
+    table.try_reserve_exact(count.saturating_sub(table.len())).map_err(failed)?;
+    if table.capacity() > had {
+        huge_pages::advise(table);
+    }
+    Ok(())
 }
 
 /// A table of the values of an iterator that knows its length.

@@ -88,7 +88,8 @@ impl Vertices {
 /// Gives the number of edges, unless patience was not enough.
 ///
 /// Never inline: that its tables lie apart, which the loop is half again as fast for, is known of arguments, but not of tables
-/// that may have come from anywhere.
+/// that may have come from anywhere. And the processor has registers for all that the loop needs, but for not one thing
+/// more: edges are counted in the end, and tables are as long as one another where the compiler sees it.
 #[inline(never)]
 fn pair_all(
     faces: &[[u32; 3]],
@@ -97,7 +98,8 @@ fn pair_all(
     cells: &mut [u32],
 ) -> Option<usize> {
     let (origins, patience) = (faces.as_flattened(), PATIENCE * 3 * faces.len());
-    let mut lists = Lists { origins, open, filters, cells, edge_count: 0, patience };
+    let (filters, cells) = (&mut filters[..open.len()], &mut cells[..origins.len()]);
+    let mut lists = Lists { origins, open, filters, cells, patience };
     for (f, &[a, b, c]) in faces.iter().enumerate() {
         for (k, (a, b)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
             if !lists.add((3 * f + k) as u32, a, b) {
@@ -105,9 +107,8 @@ fn pair_all(
             }
         }
     }
-    let edge_count = lists.edge_count;
-    lists.close();
-    Some(edge_count)
+    // All others are two and two.
+    Some((origins.len() + lists.close()) / 2)
 }
 
 /// The edges of a lower vertex: a bit for each in the lower 56, which others may share, and their number above that,
@@ -142,7 +143,6 @@ struct Lists<'a> {
     filters: &'a mut [Filter],
     /// The opposite of each half-edge, or the next open edge.
     cells: &'a mut [u32],
-    edge_count: usize,
     patience: usize,
 }
 
@@ -181,16 +181,18 @@ impl Lists<'_> {
         }
         self.cells[h as usize] = if at == NONE { h | END } else { at };
         self.filters[low as usize].add(high);
-        self.edge_count += 1;
         true
     }
 
-    /// Edges that are open in the end have no opposite.
-    fn close(self) {
+    /// Edges that are open in the end have no opposite. Gives how many they are.
+    fn close(self) -> usize {
+        let mut count = 0;
         for first in self.open {
             while *first < END {
                 *first = core::mem::replace(&mut self.cells[*first as usize], NONE);
+                count += 1;
             }
         }
+        count
     }
 }
