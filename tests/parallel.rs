@@ -9,7 +9,7 @@ use shapes::{Random, shuffled, wheel};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// So many faces that three threads get a piece each.
-const MANY: usize = 120_000;
+const MANY: usize = 200_000;
 
 /// Vertices of many fans, open and closed, a few of huge degree, and some without a face.
 fn soup(seed: u64) -> (usize, Vec<[u32; 3]>) {
@@ -79,9 +79,9 @@ fn fans_are_the_same_by_any_number_of_threads() {
 
 #[test]
 fn fans_that_all_threads_meet_are_one() {
-    let torus = conformance::torus(300, 250);
-    assert_fans(75_000, &torus, false);
-    assert_fans(75_000, &shuffled(torus), false);
+    let torus = conformance::torus(400, 250);
+    assert_fans(100_000, &torus, false);
+    assert_fans(100_000, &shuffled(torus), false);
 }
 
 /// The two fans of a vertex come to different threads, so that only together they are several.

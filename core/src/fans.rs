@@ -45,7 +45,7 @@ pub fn fans_into<M: Adjacency + Sync>(
 }
 
 /// Faces that are worth a thread.
-const PIECE: usize = 1 << 15;
+const PIECE: usize = 1 << 16;
 
 /// The most threads: their tables take no more than the chain did before.
 const MOST: usize = 4;
