@@ -44,6 +44,9 @@ pub fn fans_into<M: Adjacency + Sync>(
     starts.settle(mesh)
 }
 
+/// Faces that are looked at together.
+const BLOCK: usize = 128;
+
 /// Faces that are worth a thread.
 const PIECE: usize = 1 << 16;
 
@@ -58,7 +61,6 @@ struct Starts<M: Topology> {
 }
 
 impl<M: Adjacency> Starts<M> {
-    /// A fan's start comes before both its neighbours. So does many another half-edge, but most see a better one near by.
     fn of_faces(
         mesh: &M,
         faces: Range<usize>,
@@ -67,17 +69,11 @@ impl<M: Adjacency> Starts<M> {
         table.clear();
         memory::resize(&mut table, mesh.vertex_count(), Slot::NONE)?;
         let (mut outgoing, mut is_clear) = (Map::from(table), true);
-        for f in faces.map(M::Face::new) {
-            let half_edges = mesh.face_half_edges(f);
-            let opposites = half_edges.map(|h| mesh.opposite(h));
-            for k in 0..3 {
-                let (h, across) = (half_edges[k], opposites[k]);
-                let is_lesser = |g: Option<M::HalfEdge>| g.is_none_or(|g| h < g);
-                // The next counter-clockwise first: it is known already.
-                let ccw = opposites[if k == 0 { 2 } else { k - 1 }];
-                if across.is_none() || is_lesser(ccw) && is_lesser(across.map(|o| mesh.next(o))) {
-                    meet(mesh, &mut outgoing[mesh.origin(h)], h, &mut is_clear);
-                }
+        let mut found = [M::HalfEdge::new(0); 3 * BLOCK];
+        for begin in faces.clone().step_by(BLOCK) {
+            let count = candidates(mesh, begin..faces.end.min(begin + BLOCK), &mut found);
+            for &h in &found[..count] {
+                meet(mesh, &mut outgoing[mesh.origin(h)], h, &mut is_clear);
             }
         }
         Ok(Self { outgoing, is_clear })
@@ -111,6 +107,32 @@ impl<M: Adjacency> Starts<M> {
         let several = if is_single { Vec::new() } else { several(mesh, &outgoing)? };
         Ok(Fans { outgoing, several })
     }
+}
+
+/// Finds the half-edges of some faces that come before both their neighbours, and gives their number. A fan's start does;
+/// so does many another, but most see a better one near by.
+///
+/// No branch depends on the mesh: the vertices of those that are found then wait for memory together.
+fn candidates<M: Adjacency>(mesh: &M, faces: Range<usize>, found: &mut [M::HalfEdge; 3 * BLOCK]) -> usize {
+    let is_before = |h, g: Option<M::HalfEdge>| g.is_none_or(|g| h < g);
+    let mut count = 0;
+    for f in faces.map(M::Face::new) {
+        let half_edges = mesh.face_half_edges(f);
+        let across = half_edges.map(|h| mesh.opposite(h));
+        for k in 0..3 {
+            let (h, ccw) = (half_edges[k], across[(k + 2) % 3]);
+            found[count] = h;
+            count += usize::from(across[k].is_none() | is_before(h, ccw));
+        }
+    }
+    // What lies clockwise takes longer to tell, so only where that was so.
+    let mut left = 0;
+    for i in 0..count {
+        let h = found[i];
+        found[left] = h;
+        left += usize::from(is_before(h, mesh.rotate_cw(h)));
+    }
+    left
 }
 
 /// Keeps the better start of a vertex. All starts but the best are the worse one of two once, in whatever order they come.
