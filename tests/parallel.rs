@@ -104,7 +104,7 @@ fn sweeps_by_threads_are_those_of_one() {
     let counted: BTreeMap<_, _> = mesh.vertices().into_par_iter().rev().skip(7).map(count).collect();
     assert!(counted.into_iter().eq(mesh.vertices().take(75_000 - 7).map(count)));
     assert_eq!(mesh.faces().into_par_iter().len(), mesh.face_count());
-    assert_eq!(mesh.edges().into_par_iter().max(), mesh.edges().last());
+    assert_eq!(mesh.edges().into_par_iter().max(), mesh.edges().next_back());
 }
 
 macro_rules! shared {

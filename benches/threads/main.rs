@@ -14,6 +14,9 @@ use std::time::Instant;
 
 const ROUNDS: usize = 9;
 
+/// Made when its turn comes.
+type Named = (&'static str, Box<dyn Fn() -> meshes::Mesh>);
+
 /// The median time of each pool and its best, in nanoseconds a triangle.
 fn compare(name: &str, pools: &[ThreadPool; 2], faces: usize, work: impl Fn() + Sync) {
     let mut times = [Vec::new(), Vec::new()];
@@ -44,7 +47,7 @@ fn main() {
     let is_test = words.iter().any(|word| word == "--test");
     let pools = [1, 2].map(|n| ThreadPoolBuilder::new().num_threads(n).build().expect("threads"));
     let grid = || (5_000_000, conformance::torus(2000, 2500));
-    let meshes: Vec<(&str, Box<dyn Fn() -> meshes::Mesh>)> = if is_test {
+    let meshes: Vec<Named> = if is_test {
         vec![("icosphere, 82 k", Box::new(|| meshes::icosphere(6)))]
     } else {
         vec![
