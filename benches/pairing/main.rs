@@ -1,9 +1,11 @@
 //! Times the pairing strategies beside one another, on meshes in order and shuffled, in and out of the cache.
+#[path = "../common/meshes.rs"]
+mod meshes;
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use meshes::{Mesh, shuffled};
 use onering::{Pairing, conformance, pairing};
 use std::collections::HashMap;
-
-type Mesh = (usize, Vec<[u32; 3]>);
 
 /// A tetrahedron with every triangle divided into four, so many times.
 fn divided(times: u32) -> Mesh {
@@ -24,28 +26,6 @@ fn divided(times: u32) -> Mesh {
         faces = faces.into_iter().flat_map(four).collect();
     }
     (vertices as usize, faces)
-}
-
-/// The same mesh, its vertices and faces in an order without a pattern.
-fn shuffled((vertices, mut faces): Mesh) -> Mesh {
-    let mut state = 88172645463325252_u64;
-    let mut below = |n: usize| {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state % n as u64) as usize
-    };
-    let mut number: Vec<u32> = (0..vertices as u32).collect();
-    for i in (1..vertices).rev() {
-        number.swap(i, below(i + 1));
-    }
-    for face in &mut faces {
-        *face = face.map(|v| number[v as usize]);
-    }
-    for i in (1..faces.len()).rev() {
-        faces.swap(i, below(i + 1));
-    }
-    (vertices, faces)
 }
 
 fn strategies(c: &mut Criterion) {

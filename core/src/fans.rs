@@ -1,6 +1,7 @@
 //! Where to start around each vertex, and the vertices whose faces form several fans.
-use crate::{Adjacency, BuildError, Handle, Map, Slot, Topology, memory, ring::Fan};
+use crate::{Adjacency, BuildError, Handle, Map, Slot, Topology, memory, ring::Fan, workers};
 use alloc::vec::Vec;
+use core::ops::Range;
 
 /// For each vertex the start of its first fan, and the vertices that have more.
 #[derive(Clone, Debug)]
@@ -12,51 +13,142 @@ pub struct Fans<M: Topology> {
     pub several: Vec<(M::Vertex, Vec<M::HalfEdge>)>,
 }
 
-/// The fans of `mesh`. O(faces), and O(n log n) in the number n of further fans; four bytes a vertex, and one for
-/// each half-edge where some vertex has several fans.
+/// The fans of `mesh`, by one thread. O(faces), and O(n log n) in the number n of further fans; four bytes a vertex, and
+/// one for each half-edge where some vertex has several fans.
 ///
 /// # Errors
 /// [`BuildError::OutOfMemory`].
 pub fn fans<M: Adjacency>(mesh: &M) -> Result<Fans<M>, BuildError> {
-    fans_into(mesh, Vec::new())
+    Starts::of_faces(mesh, 0..mesh.face_count(), Vec::new())?.settle(mesh)
 }
 
 /// The same into a table that there is: it becomes [`Fans::outgoing`], of whatever length it was and whatever it held.
+/// With the feature `parallel`, by several threads, of which each but the first takes four bytes a vertex more.
 ///
 /// # Errors
 /// As for [`fans`].
-pub fn fans_into<M: Adjacency>(mesh: &M, mut table: Vec<Slot<M::HalfEdge>>) -> Result<Fans<M>, BuildError> {
-    table.clear();
-    memory::resize(&mut table, mesh.vertex_count(), Slot::NONE)?;
-    let mut outgoing: Map<M::Vertex, Slot<M::HalfEdge>> = table.into();
-    // A fan's start comes before both its neighbours. So does many another half-edge, but most see a better one near by.
-    let mut is_clear = true;
-    for h in mesh.half_edges() {
-        let is_open = mesh.opposite(h).is_none();
-        let is_lesser = |g: Option<M::HalfEdge>| g.is_none_or(|g| h < g);
-        if !(is_open || is_lesser(mesh.rotate_cw(h)) && is_lesser(mesh.rotate_ccw(h))) {
-            continue;
-        }
-        let first = &mut outgoing[mesh.origin(h)];
-        let further = match first.get() {
-            None => {
-                *first = Slot::some(h);
-                continue;
-            }
-            Some(g) if is_open && mesh.opposite(g).is_some() => {
-                *first = Slot::some(h);
-                g
-            }
-            Some(_) => h,
-        };
-        is_clear = is_clear && sees_better(mesh, further);
+pub fn fans_into<M: Adjacency + Sync>(
+    mesh: &M,
+    table: Vec<Slot<M::HalfEdge>>,
+) -> Result<Fans<M>, BuildError> {
+    let (count, mut table) = (mesh.face_count(), Some(table));
+    let pieces = workers::pieces(count, PIECE).min(MOST);
+    let piece = |k| (k * count / pieces..(k + 1) * count / pieces, table.take().unwrap_or_default());
+    let pieces: Vec<_> = (0..pieces).map(piece).collect();
+    let found = workers::map(pieces, |(faces, table)| Starts::of_faces(mesh, faces, table));
+    let mut found = found.into_iter();
+    let mut starts = found.next().unwrap_or_else(|| Starts::of_faces(mesh, 0..0, Vec::new()))?;
+    for others in found {
+        starts.join(mesh, &others?);
     }
-    let is_single = is_clear || {
-        let seen: usize = outgoing.iter().map(|(_, first)| Fan::new(mesh, first.get()).count()).sum();
-        seen == mesh.half_edge_count()
+    starts.settle(mesh)
+}
+
+/// Faces that are looked at together.
+const BLOCK: usize = 128;
+
+/// Faces that are worth a thread.
+const PIECE: usize = 1 << 16;
+
+/// The most threads: their tables take no more than the chain did before.
+const MOST: usize = 4;
+
+/// The best start of each vertex in some of the faces.
+struct Starts<M: Topology> {
+    outgoing: Map<M::Vertex, Slot<M::HalfEdge>>,
+    /// Whether no other start can be that of a further fan.
+    is_clear: bool,
+}
+
+impl<M: Adjacency> Starts<M> {
+    fn of_faces(
+        mesh: &M,
+        faces: Range<usize>,
+        mut table: Vec<Slot<M::HalfEdge>>,
+    ) -> Result<Self, BuildError> {
+        table.clear();
+        memory::resize(&mut table, mesh.vertex_count(), Slot::NONE)?;
+        let (mut outgoing, mut is_clear) = (Map::from(table), true);
+        let mut found = [M::HalfEdge::new(0); 3 * BLOCK];
+        for begin in faces.clone().step_by(BLOCK) {
+            let count = candidates(mesh, begin..faces.end.min(begin + BLOCK), &mut found);
+            for &h in &found[..count] {
+                meet(mesh, &mut outgoing[mesh.origin(h)], h, &mut is_clear);
+            }
+        }
+        Ok(Self { outgoing, is_clear })
+    }
+
+    /// Of these faces and others together.
+    fn join(&mut self, mesh: &M, others: &Self)
+    where
+        M: Sync,
+    {
+        let size = self.outgoing.len().div_ceil(MOST).max(PIECE);
+        let (mine, theirs) = (self.outgoing.as_mut_slice(), others.outgoing.as_slice());
+        let pieces: Vec<_> = mine.chunks_mut(size).zip(theirs.chunks(size)).collect();
+        let are_clear = workers::map(pieces, |(mine, theirs)| {
+            let mut is_clear = true;
+            for (first, other) in mine.iter_mut().zip(theirs) {
+                other.get().into_iter().for_each(|h| meet(mesh, first, h, &mut is_clear));
+            }
+            is_clear
+        });
+        self.is_clear &= others.is_clear && are_clear.into_iter().all(|is_clear| is_clear);
+    }
+
+    /// Where some start may be that of a further fan, all fans are walked.
+    fn settle(self, mesh: &M) -> Result<Fans<M>, BuildError> {
+        let outgoing = self.outgoing;
+        let is_single = self.is_clear || {
+            let seen: usize = outgoing.iter().map(|(_, first)| Fan::new(mesh, first.get()).count()).sum();
+            seen == mesh.half_edge_count()
+        };
+        let several = if is_single { Vec::new() } else { several(mesh, &outgoing)? };
+        Ok(Fans { outgoing, several })
+    }
+}
+
+/// Finds the half-edges of some faces that come before both their neighbours, and gives their number. A fan's start does;
+/// so does many another, but most see a better one near by.
+///
+/// No branch depends on the mesh: the vertices of those that are found then wait for memory together.
+fn candidates<M: Adjacency>(mesh: &M, faces: Range<usize>, found: &mut [M::HalfEdge; 3 * BLOCK]) -> usize {
+    let is_before = |h, g: Option<M::HalfEdge>| g.is_none_or(|g| h < g);
+    let mut count = 0;
+    for f in faces.map(M::Face::new) {
+        let half_edges = mesh.face_half_edges(f);
+        let across = half_edges.map(|h| mesh.opposite(h));
+        for k in 0..3 {
+            let (h, ccw) = (half_edges[k], across[(k + 2) % 3]);
+            found[count] = h;
+            count += usize::from(across[k].is_none() | is_before(h, ccw));
+        }
+    }
+    // What lies clockwise takes longer to tell, so only where that was so.
+    let mut left = 0;
+    for i in 0..count {
+        let h = found[i];
+        found[left] = h;
+        left += usize::from(is_before(h, mesh.rotate_cw(h)));
+    }
+    left
+}
+
+/// Keeps the better start of a vertex. All starts but the best are the worse one of two once, in whatever order they come.
+#[inline(always)]
+fn meet<M: Adjacency>(mesh: &M, first: &mut Slot<M::HalfEdge>, h: M::HalfEdge, is_clear: &mut bool) {
+    let Some(g) = first.get() else {
+        *first = Slot::some(h);
+        return;
     };
-    let several = if is_single { Vec::new() } else { several(mesh, &outgoing)? };
-    Ok(Fans { outgoing, several })
+    let is_open = |h| mesh.opposite(h).is_none();
+    let is_better = if h < g { is_open(h) || !is_open(g) } else { is_open(h) && !is_open(g) };
+    let worse = if is_better { g } else { h };
+    if is_better {
+        *first = Slot::some(h);
+    }
+    *is_clear = *is_clear && sees_better(mesh, worse);
 }
 
 /// Whether some half-edge not far from `h` in its fan is a better start of it: lesser, or, as `h` does not begin an open

@@ -2,6 +2,11 @@
 use bytemuck::{Pod, Zeroable};
 use core::{fmt, hash::Hash, iter::FusedIterator, marker::PhantomData, ops::Range};
 
+#[cfg(feature = "parallel")]
+mod parallel;
+#[cfg(feature = "parallel")]
+pub use parallel::ParallelHandles;
+
 /// A copyable name of one kind of mesh element: an index that cannot be mixed up with another kind's.
 ///
 /// A handle is valid for the mesh that gave it. Asking another mesh panics where its index is out of range.
@@ -61,6 +66,8 @@ handles! {
 }
 
 /// The handles with the indices below a count, in order: iterator of `vertices`, `faces`, `edges` and `curves`.
+///
+/// With the feature `parallel` it becomes an indexed parallel iterator of rayon by `into_par_iter`.
 #[derive(Clone, Debug)]
 pub struct Handles<H> {
     range: Range<usize>,
