@@ -1,35 +1,15 @@
 //! Building in fresh memory beside building in the memory of the mesh before, by turns in one process.
 //!
 //! `cargo bench --bench rebuild`: nanoseconds a triangle, medians. With `--test` on a small mesh, to see that it runs.
+#[path = "../meshes/mod.rs"]
+mod meshes;
+
+use meshes::icosphere;
 use onering::{Builder, CheL1, DirectedEdgesSmall, MateFace, Recycle, conformance};
-use std::collections::HashMap;
 use std::hint::black_box;
 use std::time::Instant;
 
 const ROUNDS: usize = 9;
-
-/// An icosahedron with every triangle divided into four, so many times.
-fn icosphere(times: u32) -> (usize, Vec<[u32; 3]>) {
-    let band = |i: u32| [1 + i % 5, 1 + (i + 1) % 5, 6 + i % 5, 6 + (i + 1) % 5];
-    let faces = |[a, b, c, d]: [u32; 4]| [[0, a, b], [a, c, b], [b, c, d], [c, 11, d]];
-    let mut faces: Vec<[u32; 3]> = (0..5).map(band).flat_map(faces).collect();
-    let mut vertices = 12;
-    for _ in 0..times {
-        let mut middles = HashMap::new();
-        let mut middle = |a: u32, b: u32| {
-            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                vertices += 1;
-                vertices - 1
-            })
-        };
-        let four = |[a, b, c]: [u32; 3]| {
-            let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
-            [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
-        };
-        faces = faces.into_iter().flat_map(four).collect();
-    }
-    (vertices as usize, faces)
-}
 
 /// Nanoseconds a triangle.
 fn timed(faces: &[[u32; 3]], work: impl FnOnce()) -> f64 {
@@ -60,6 +40,10 @@ fn compare<M: Recycle>(name: &str, vertices: usize, faces: &[[u32; 3]]) {
 }
 
 fn main() {
+    let icosphere = |levels| {
+        let (positions, faces) = icosphere(levels);
+        (positions.len(), faces)
+    };
     let grid = |rows: u32, columns: u32| ((rows * columns) as usize, conformance::torus(rows, columns));
     let meshes = if std::env::args().any(|word| word == "--test") {
         vec![("icosphere, 1,280", icosphere(3))]
