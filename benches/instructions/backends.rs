@@ -3,6 +3,10 @@
 //!
 //! A program of its own: the compiler copies the walk of a ring into its caller where there is one caller, and `count`
 //! looks at just that.
+#[path = "../meshes/mod.rs"]
+mod meshes;
+
+use meshes::{Faces, shuffled, torus};
 use onering::{FromFaces, Handle, Incidence, VertexGraph, neighbours::Neighbours};
 use std::hint::black_box;
 
@@ -30,8 +34,7 @@ struct Counted {
 /// it is paired as one in order is.
 fn counted() -> Vec<Counted> {
     let in_order = torus(64, 128);
-    let (vertex_count, faces) = torus(128, 256);
-    let shuffled = (vertex_count, shuffled(vertex_count, &faces));
+    let shuffled = shuffled(&torus(128, 256));
     let mut all = Vec::new();
     for (structure, add) in BACKENDS {
         add(structure, &in_order, &shuffled, &mut all);
@@ -39,10 +42,9 @@ fn counted() -> Vec<Counted> {
     all
 }
 
-type Input = (usize, Vec<[u32; 3]>);
-type Add = fn(&'static str, &Input, &Input, &mut Vec<Counted>);
+type Add = fn(&'static str, &Faces, &Faces, &mut Vec<Counted>);
 
-fn builds<M: FromFaces>(structure: &'static str, in_order: &Input, shuffled: &Input, all: &mut Vec<Counted>) {
+fn builds<M: FromFaces>(structure: &'static str, in_order: &Faces, shuffled: &Faces, all: &mut Vec<Counted>) {
     for (task, input) in [("build", in_order), ("build-shuffled", shuffled)] {
         let (vertex_count, faces) = input.clone();
         let build = move || M::from_faces(vertex_count, &faces).map(black_box).is_ok().into();
@@ -52,8 +54,8 @@ fn builds<M: FromFaces>(structure: &'static str, in_order: &Input, shuffled: &In
 
 fn rings<M: FromFaces + Incidence + 'static>(
     structure: &'static str,
-    in_order: &Input,
-    shuffled: &Input,
+    in_order: &Faces,
+    shuffled: &Faces,
     all: &mut Vec<Counted>,
 ) {
     builds::<M>(structure, in_order, shuffled, all);
@@ -62,7 +64,7 @@ fn rings<M: FromFaces + Incidence + 'static>(
     all.push(Counted { task: "ring", structure, run });
 }
 
-fn graph(structure: &'static str, in_order: &Input, shuffled: &Input, all: &mut Vec<Counted>) {
+fn graph(structure: &'static str, in_order: &Faces, shuffled: &Faces, all: &mut Vec<Counted>) {
     builds::<VertexGraph>(structure, in_order, shuffled, all);
     let graph = VertexGraph::from_faces(in_order.0, &in_order.1).expect("a graph");
     let ring = move |v| Neighbours::neighbours(&graph, Handle::new(v)).map(|u| u.index() as u64).sum::<u64>();
@@ -74,37 +76,6 @@ fn graph(structure: &'static str, in_order: &Input, shuffled: &Input, all: &mut 
 /// Sums the index of every neighbour of every vertex.
 fn sweep(mesh: &impl Incidence) -> u64 {
     mesh.vertices().map(|v| mesh.one_ring(v).map(|u| u.index() as u64).sum::<u64>()).sum()
-}
-
-/// A closed torus of `2 columns rows` triangles in rows.
-fn torus(columns: u32, rows: u32) -> Input {
-    let v = |c: u32, r: u32| (r % rows) * columns + c % columns;
-    let quad = |c, r| {
-        let [a, b, d, e] = [v(c, r), v(c + 1, r), v(c + 1, r + 1), v(c, r + 1)];
-        [[a, b, d], [a, d, e]]
-    };
-    let faces = (0..rows).flat_map(|r| (0..columns).flat_map(move |c| quad(c, r))).collect();
-    ((columns * rows) as usize, faces)
-}
-
-/// New numbers for all vertices, and all faces in a new order.
-fn shuffled(vertex_count: usize, faces: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    let mut numbers: Vec<u32> = (0..vertex_count as u32).collect();
-    shuffle(&mut numbers);
-    let mut faces: Vec<_> = faces.iter().map(|face| face.map(|v| numbers[v as usize])).collect();
-    shuffle(&mut faces);
-    faces
-}
-
-/// By a fixed seed.
-fn shuffle<T>(things: &mut [T]) {
-    let mut state = 88172645463325252_u64;
-    for i in (1..things.len()).rev() {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        things.swap(i, (state % (i as u64 + 1)) as usize);
-    }
 }
 
 /// How far the traits of a line go says what is counted.

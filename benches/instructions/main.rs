@@ -4,9 +4,11 @@
 mod by_hand;
 #[path = "../ring_walk/kernels.rs"]
 mod kernels;
+#[path = "../meshes/mod.rs"]
+mod meshes;
 
 fn main() {
-    let (vertex_count, faces) = kernels::torus(64, 128);
+    let (vertex_count, faces) = meshes::torus(64, 128);
     let kernels = kernels::kernels(vertex_count, &faces);
     let numbers: Vec<usize> = std::env::args().filter_map(|a| a.parse().ok()).collect();
     let [kernel, times] = numbers[..] else {

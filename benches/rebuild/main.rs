@@ -1,11 +1,11 @@
 //! Building in fresh memory beside building in the memory of the mesh before, by turns in one process.
 //!
 //! `cargo bench --bench rebuild`: nanoseconds a triangle, medians. With `--test` on a small mesh, to see that it runs.
-#[path = "../common/meshes.rs"]
+#[path = "../meshes/mod.rs"]
 mod meshes;
 
-use meshes::icosphere;
-use onering::{Builder, CheL1, DirectedEdgesSmall, MateFace, Recycle, conformance};
+use meshes::{sphere, torus};
+use onering::{Builder, CheL1, DirectedEdgesSmall, MateFace, Recycle};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -40,14 +40,13 @@ fn compare<M: Recycle>(name: &str, vertices: usize, faces: &[[u32; 3]]) {
 }
 
 fn main() {
-    let grid = |rows: u32, columns: u32| ((rows * columns) as usize, conformance::torus(rows, columns));
     let meshes = if std::env::args().any(|word| word == "--test") {
-        vec![("icosphere, 1,280", icosphere(3))]
+        vec![("icosphere, 1,280", sphere(3))]
     } else {
         vec![
-            ("icosphere, 1.3 M", icosphere(8)),
-            ("icosphere, 5.2 M", icosphere(9)),
-            ("grid, 10 M", grid(2000, 2500)),
+            ("icosphere, 1.3 M", sphere(8)),
+            ("icosphere, 5.2 M", sphere(9)),
+            ("grid, 10 M", torus(2500, 2000)),
         ]
     };
     for (name, (vertices, faces)) in meshes {

@@ -2,8 +2,11 @@
 //! sphere in the order in which it was made. Each way once a round; the best of the rounds, in processor time, is printed.
 //!
 //! `cargo bench --bench reorder -- [LEVELS]`: an icosahedron divided so many times, 9 by default (5.2 million triangles).
-use onering::{CheL1, DirectedEdgesSmall, FromFaces, Handle, Incidence, Map, SharedVertex, VertexId};
-use onering::{neighbours::Neighbours, reorder, subdivision};
+#[path = "../meshes/mod.rs"]
+mod meshes;
+
+use onering::{DirectedEdgesSmall, FromFaces, Handle, Incidence, Map, SharedVertex, VertexId};
+use onering::{neighbours::Neighbours, reorder};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 use std::{fs, hint::black_box};
@@ -11,57 +14,16 @@ use std::{fs, hint::black_box};
 const ROUNDS: usize = 3;
 const SWEEPS: usize = 10;
 
+/// Positions and faces.
 struct Mesh {
     positions: Map<VertexId, [f32; 3]>,
     faces: Vec<[u32; 3]>,
 }
 
-/// An icosahedron divided so many times: the library's own order, which is coherent.
-fn sphere(levels: usize) -> Mesh {
-    let t = (1.0 + 5_f32.sqrt()) / 2.0;
-    let mut positions: Map<VertexId, [f32; 3]> = (0..12)
-        .map(|i| {
-            let [a, b] = [1.0 - (i & 1) as f32 * 2.0, t * (1.0 - (i >> 1 & 1) as f32 * 2.0)];
-            [[a, b, 0.0], [0.0, a, b], [b, 0.0, a]][i >> 2]
-        })
-        .collect();
-    let near = |a: [f32; 3], b: [f32; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f32>() < 4.5;
-    let mut faces = Vec::new();
-    for (a, b, c) in (0..12).flat_map(|a| (a..12).flat_map(move |b| (b..12).map(move |c| (a, b, c)))) {
-        let [p, q, r] = [a, b, c].map(|v| positions.as_slice()[v]);
-        if a < b && b < c && near(p, q) && near(q, r) && near(r, p) {
-            let outward = p[0] * (q[1] * r[2] - q[2] * r[1])
-                + p[1] * (q[2] * r[0] - q[0] * r[2])
-                + p[2] * (q[0] * r[1] - q[1] * r[0]);
-            faces.push(if outward > 0.0 { [a, b, c] } else { [a, c, b] }.map(|v| v as u32));
-        }
+impl From<meshes::Placed> for Mesh {
+    fn from((positions, faces): meshes::Placed) -> Self {
+        Self { positions, faces }
     }
-    for _ in 0..levels {
-        let mesh = CheL1::from_faces(positions.len(), &faces).expect("a sphere");
-        let finer = subdivision::loop_subdivision(&mesh, &positions).expect("finite positions");
-        (positions, faces) = (finer.positions.into(), finer.faces);
-    }
-    Mesh { positions, faces }
-}
-
-fn shuffle<T>(things: &mut [T]) {
-    let mut state = 88172645463325252_u64;
-    for i in (1..things.len()).rev() {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        things.swap(i, (state % (i as u64 + 1)) as usize);
-    }
-}
-
-fn shuffled(mesh: &Mesh) -> Mesh {
-    let mut order: Vec<VertexId> = (0..mesh.positions.len()).map(VertexId::new).collect();
-    shuffle(&mut order);
-    let mut number = vec![0; order.len()];
-    order.iter().zip(0..).for_each(|(v, i)| number[v.index()] = i);
-    let mut faces: Vec<_> = mesh.faces.iter().map(|f| f.map(|v| number[v as usize])).collect();
-    shuffle(&mut faces);
-    Mesh { positions: order.iter().map(|&v| mesh.positions[v]).collect(), faces }
 }
 
 /// The sum of the indices of all neighbours of all vertices.
@@ -135,8 +97,9 @@ fn main() {
     let is_test = arguments.iter().any(|argument| argument == "--test");
     let given = arguments.iter().find_map(|argument| argument.parse().ok());
     let levels = given.unwrap_or(if is_test { 2 } else { 9 });
-    let coherent = sphere(levels);
-    let shuffled = shuffled(&coherent);
+    let sphere = meshes::icosphere(levels);
+    let shuffled = meshes::shuffled_with_positions(&sphere).into();
+    let coherent = sphere.into();
     let mut ways = vec![("in the order made", &coherent, None), ("shuffled", &shuffled, None)];
     ways.extend(ORDERS.map(|(name, order)| (name, &shuffled, Some(order))));
     let mut best: Vec<Option<Times>> = vec![None; ways.len()];

@@ -23,17 +23,6 @@ pub(crate) struct Kernel {
     pub(crate) run: Box<dyn Fn() -> u64>,
 }
 
-/// A closed torus of `2 columns rows` triangles in rows.
-pub(crate) fn torus(columns: u32, rows: u32) -> (usize, Vec<[u32; 3]>) {
-    let v = |c: u32, r: u32| (r % rows) * columns + c % columns;
-    let quad = |c, r| {
-        let [a, b, d, e] = [v(c, r), v(c + 1, r), v(c + 1, r + 1), v(c, r + 1)];
-        [[a, b, d], [a, d, e]]
-    };
-    let faces = (0..rows).flat_map(|r| (0..columns).flat_map(move |c| quad(c, r))).collect();
-    ((columns * rows) as usize, faces)
-}
-
 /// Every kernel over one mesh.
 pub(crate) fn kernels(vertex_count: usize, faces: &[[u32; 3]]) -> Vec<Kernel> {
     fn pair<M: Incidence + FromFaces + 'static>(

@@ -3,7 +3,7 @@
 //!
 //! `cargo bench --features parallel --bench threads [-- FILTER...]`: nanoseconds a triangle, medians of nine
 //! and the best, of the meshes whose names have a filter in them. With `--test` on a small mesh, to see that it runs.
-#[path = "../common/meshes.rs"]
+#[path = "../meshes/mod.rs"]
 mod meshes;
 
 use onering::fans::fans_into;
@@ -15,7 +15,7 @@ use std::time::Instant;
 const ROUNDS: usize = 9;
 
 /// Made when its turn comes.
-type Named = (&'static str, Box<dyn Fn() -> meshes::Mesh>);
+type Named = (&'static str, Box<dyn Fn() -> meshes::Faces>);
 
 /// The median time of each pool and its best, in nanoseconds a triangle.
 fn compare(name: &str, pools: &[ThreadPool; 2], faces: usize, work: impl Fn() + Sync) {
@@ -46,17 +46,17 @@ fn main() {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| word != "--bench").collect();
     let is_test = words.iter().any(|word| word == "--test");
     let pools = [1, 2].map(|n| ThreadPoolBuilder::new().num_threads(n).build().expect("threads"));
-    let grid = || (5_000_000, conformance::torus(2000, 2500));
+    let grid = || meshes::torus(2000, 2500);
     let meshes: Vec<Named> = if is_test {
-        vec![("icosphere, 82 k", Box::new(|| meshes::icosphere(6)))]
+        vec![("icosphere, 82 k", Box::new(|| meshes::sphere(6)))]
     } else {
         vec![
-            ("icosphere, 82 k", Box::new(|| meshes::icosphere(6))),
-            ("icosphere, 1.3 M", Box::new(|| meshes::icosphere(8))),
-            ("icosphere, 5.2 M", Box::new(|| meshes::icosphere(9))),
+            ("icosphere, 82 k", Box::new(|| meshes::sphere(6))),
+            ("icosphere, 1.3 M", Box::new(|| meshes::sphere(8))),
+            ("icosphere, 5.2 M", Box::new(|| meshes::sphere(9))),
             ("grid, 10 M", Box::new(grid)),
-            ("icosphere, 1.3 M, shuffled", Box::new(|| meshes::shuffled(meshes::icosphere(8)))),
-            ("icosphere, 5.2 M, shuffled", Box::new(|| meshes::shuffled(meshes::icosphere(9)))),
+            ("icosphere, 1.3 M, shuffled", Box::new(|| meshes::shuffled(&meshes::sphere(8)))),
+            ("icosphere, 5.2 M, shuffled", Box::new(|| meshes::shuffled(&meshes::sphere(9)))),
         ]
     };
     let is_wanted =

@@ -1,6 +1,7 @@
 //! Any list of triangles: what is said of it, what every backend makes of it, and what repair makes of it.
 mod algorithms;
 mod backends;
+mod encoded;
 mod fields;
 mod mended;
 #[allow(dead_code, reason = "shared with tests that use more of it")]
@@ -8,6 +9,7 @@ mod mended;
 mod naive;
 mod orders;
 mod placed;
+mod rebuilt;
 mod relations;
 
 use onering::Defects;
@@ -48,6 +50,8 @@ pub fn index_buffer(bytes: &[u8]) {
     backends::pairings(&list);
     backends::every(&list, &defects);
     backends::adaptors(&list, &defects);
+    encoded::encoded(&list, &defects);
+    rebuilt::rebuilt(&list);
     mended::mended(&list, &defects);
     mended::welded(&list, choices);
 }

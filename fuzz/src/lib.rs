@@ -13,7 +13,13 @@
 
 mod index_buffer;
 mod reads;
+#[allow(dead_code, reason = "shared with tests that use more of it")]
+#[path = "../../tests/common/renumbered.rs"]
+mod renumbered;
 mod ring;
+#[allow(dead_code, reason = "shared with tests that use more of it")]
+#[path = "../../tests/common/shapes.rs"]
+mod shapes;
 mod written;
 
 pub use index_buffer::index_buffer;

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the programs of the libraries that are installed, and says which are not; `install.sh` installs them.
+# Builds the programs of the libraries that are installed, and says which are not; `install.sh` installs them. No package
+# has pmp-library: `PMP=FOLDER` names its sources.
 set -euo pipefail
 cd "$(dirname "$0")"
 mkdir -p target
@@ -22,3 +23,13 @@ build() { # PROGRAM HEADER LIBRARIES...
 build openmesh OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh -lOpenMeshCore
 build cgal CGAL/Surface_mesh.h
 build meshoptimizer meshoptimizer.h -lmeshoptimizer
+
+if [ -n "${PMP:-}" ]; then
+    # Eigen, which its vectors convert from, comes with it.
+    eigen=("$PMP"/external/eigen-*)
+    flags+=(-std=c++20 -I"$PMP/src" -isystem "${eigen[0]}")
+    build pmp pmp/surface_mesh.h "$PMP/src/pmp/surface_mesh.cpp"
+else
+    rm -f target/pmp
+    echo "pmp: left out: PMP names no folder of its sources"
+fi

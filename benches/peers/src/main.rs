@@ -17,6 +17,8 @@ mod process;
 mod programs;
 mod record;
 mod report;
+#[path = "../../meshes/mod.rs"]
+mod shared;
 
 use clap::Parser;
 use measure::Effort;

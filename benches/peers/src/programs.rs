@@ -8,8 +8,12 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What `cpp/build.sh` makes: the name here, and that of the program.
-const CPP: [(&str, &str); 3] =
-    [("OpenMesh", "openmesh"), ("CGAL Surface_mesh", "cgal"), ("meshoptimizer adjacency", "meshoptimizer")];
+const CPP: [(&str, &str); 4] = [
+    ("OpenMesh", "openmesh"),
+    ("CGAL Surface_mesh", "cgal"),
+    ("pmp SurfaceMesh", "pmp"),
+    ("meshoptimizer adjacency", "meshoptimizer"),
+];
 
 /// All structures whose name contains one of `only`, or all; says which programs in C++ are not built.
 pub(crate) fn all(only: &[String]) -> Vec<Program> {
