@@ -124,7 +124,7 @@ fn fans(n: u32, size: u32, hub: impl Fn(u32) -> u32) -> Vec<[u32; 3]> {
 /// Fans of as many hubs, turned this way and that, over one rim.
 fn hubs(n: u32, hubs: u32) -> Vec<[u32; 3]> {
     let face = |i: u32| [i % hubs, hubs + i / hubs, hubs + i / hubs + 1];
-    (0..n).map(|i| if i % hubs % 2 == 0 { face(i) } else { reversed(face(i)) }).collect()
+    (0..n).map(|i| if (i % hubs).is_multiple_of(2) { face(i) } else { reversed(face(i)) }).collect()
 }
 
 /// Rows of so many quads, each cut in two; closed along the rows, which may come back upside down, and across.

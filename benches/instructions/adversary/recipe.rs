@@ -139,7 +139,7 @@ impl Numbers {
             Self::Turned => numbers.rotate_left(count / 2),
             Self::Spread(far) => numbers.iter_mut().for_each(|v| *v *= far as u32),
             Self::Colliding(places) => {
-                let place = |v: u32| u64::from(v.wrapping_mul(0x9E37_79B9)) * 56 >> 32;
+                let place = |v: u32| (u64::from(v.wrapping_mul(0x9E37_79B9)) * 56) >> 32;
                 numbers = (0..).filter(|&v| place(v) < places).take(count).collect();
             }
         }

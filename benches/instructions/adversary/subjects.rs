@@ -7,11 +7,13 @@ use std::hint::black_box;
 
 type Faces<'a> = &'a [[u32; 3]];
 
+type Run = fn(usize, Faces<'_>, Pairing);
+
 #[derive(Clone, Copy)]
 pub(crate) struct Subject {
     name: &'static str,
     pairing: Pairing,
-    run: fn(usize, Faces<'_>, Pairing),
+    run: Run,
 }
 
 fn build<M: FromFaces>(vertex_count: usize, faces: Faces<'_>, pairing: Pairing) {
@@ -19,14 +21,14 @@ fn build<M: FromFaces>(vertex_count: usize, faces: Faces<'_>, pairing: Pairing) 
 }
 
 /// Those that the others share their steps with.
-const MAIN: [(&str, fn(usize, Faces<'_>, Pairing)); 4] = [
+const MAIN: [(&str, Run); 4] = [
     ("che-l1", build::<CheL1>),
     ("che-l2", build::<CheL2>),
     ("directed-edges-small", build::<DirectedEdgesSmall>),
     ("mate-face", build::<MateFace>),
 ];
 
-const OTHERS: [(&str, fn(usize, Faces<'_>, Pairing)); 4] = [
+const OTHERS: [(&str, Run); 4] = [
     ("repair", |vertex_count, faces, _| {
         let _ = black_box(repair(vertex_count, faces, &RepairOptions::default()));
     }),
@@ -41,7 +43,7 @@ const OTHERS: [(&str, fn(usize, Faces<'_>, Pairing)); 4] = [
 
 macro_rules! list {
     ($($module:ident $name:literal $mesh:ty [$($has:ident)*] [$($holds:ident)*];)+) => {
-        const BACKENDS: &[(&str, fn(usize, Faces<'_>, Pairing))] = &[$(($name, build::<$mesh>)),+];
+        const BACKENDS: &[(&str, Run)] = &[$(($name, build::<$mesh>)),+];
     };
 }
 onering::with_backends!(list);
