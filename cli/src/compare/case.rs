@@ -1,6 +1,6 @@
 //! One mesh to compare on: as it is, and repaired for the backends that cannot hold that.
 
-use super::orders::{self, InOrder};
+use super::orders::{self, Ordered};
 use super::record::{self, Named};
 use super::reference::{self, Sides};
 use super::sample::{Sample, Soup};
@@ -15,7 +15,7 @@ pub(crate) struct Ready {
     pub(crate) sample: Sample,
     pub(crate) counts: Counts,
     /// The same triangles in other orders, where those are wanted.
-    pub(crate) others: Vec<InOrder>,
+    pub(crate) others: Vec<Ordered>,
     /// What every backend should answer.
     pub(crate) answers: Vec<(&'static str, u64)>,
 }
