@@ -102,7 +102,7 @@ impl<'a> Comparison<'a> {
         if faces.is_empty() {
             return self.show(fill::without_faces(name, positions.len()));
         }
-        let wanted = Wanted { seed: self.options.seed, orders: true };
+        let wanted = Wanted { seed: self.options.seed, comparison: true };
         match Case::of(name.clone(), positions, faces, wanted) {
             Err(error) => {
                 self.give_up(name.clone(), format!("{name}: {error}"));

@@ -33,9 +33,11 @@ fn recommend(options: &args::Recommend) -> Result<(), Failure> {
     if mesh.faces.is_empty() {
         return Err(Failure::Output(format!("{name}: it has no faces to measure on")));
     }
-    let wanted = Wanted { seed: options.seed, orders: false };
+    let wanted = Wanted { seed: options.seed, comparison: false };
     let case = Case::of(name.clone(), &mesh.positions, mesh.faces, wanted)
         .map_err(|error| Failure::Output(format!("{name}: {error}")))?;
+    // Nothing is asked about places.
+    drop(mesh.positions);
     let mut candidates = measured(&case.as_it_is, options);
     let mut pick = choice::pick(&mut candidates);
     let mut state = &case.as_it_is;
