@@ -154,3 +154,15 @@ impl Measured {
         self.answers = answers;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_too_large_is_told_from_what_is_wrong() {
+        let too_many = BuildError::TooManyVertices { vertices: 9, limit: 8 };
+        assert!([BuildError::OutOfMemory { bytes: 1 }, too_many].iter().all(is_too_large));
+        assert!(!is_too_large(&BuildError::DegenerateFace { face: 0, vertex: 1 }));
+    }
+}
