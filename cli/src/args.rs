@@ -104,7 +104,8 @@ pub(crate) fn read() -> io::Result<Option<Command>> {
         Command::Deform(deform) => deform.check(),
         Command::Contours(of) => of.mesh.spare(&[("--lines", &of.lines), ("--svg", &of.svg)]),
         Command::Minima(of) => of.mesh.spare(&[("--points", &of.points), ("--svg", &of.svg)]),
-        Command::Recommend(_) | Command::Completions(_) | Command::Man(_) => {}
+        Command::Recommend(recommend) => recommend.check(),
+        Command::Completions(_) | Command::Man(_) => {}
     }
     Ok(Some(command))
 }

@@ -2,21 +2,17 @@
 //! so that every part of every structure has something to do. Positions are there to put vertices in order by.
 
 use onering::{CheL1, FromFaces, Map, subdivision};
+use onering_io::Triangles;
 use std::collections::HashMap;
 
-/// A mesh and its name.
-#[derive(Clone, Debug)]
-pub(crate) struct Made {
-    pub(crate) name: &'static str,
-    pub(crate) positions: Vec<[f32; 3]>,
-    pub(crate) faces: Vec<[u32; 3]>,
-}
-
-/// 2,106 triangles, then 81,920 and 82,080: more than the caches next to a core hold of most structures, and quick to
+/// Meshes by name: 2,106 triangles, then 81,920 and 82,080: more than the caches next to a core hold of most structures, and quick to
 /// build.
-pub(crate) fn all() -> [Made; 3] {
-    let small = Made { name: "small terrain with nine holes (made here)", ..terrain(33, 2) };
-    [small, sphere(6), terrain(204, 8)]
+pub(crate) fn all() -> [(&'static str, Triangles); 3] {
+    [
+        ("small terrain with nine holes (made here)", terrain(33, 2)),
+        ("sphere (made here)", sphere(6)),
+        ("terrain with nine holes (made here)", terrain(204, 8)),
+    ]
 }
 
 #[rustfmt::skip]
@@ -41,18 +37,18 @@ fn corners() -> Vec<[f32; 3]> {
 }
 
 /// An icosahedron with each triangle cut into four, `levels` times.
-pub(crate) fn sphere(levels: usize) -> Made {
+pub(crate) fn sphere(levels: usize) -> Triangles {
     let (mut positions, mut faces) = (corners(), ICOSAHEDRON.to_vec());
     for _ in 0..levels {
         let mesh = CheL1::from_faces(positions.len(), &faces).expect("a sphere");
         let finer = subdivision::midpoint(&mesh, &Map::from(positions)).expect("not many");
         (positions, faces) = (finer.positions, finer.faces);
     }
-    Made { name: "sphere (made here)", positions, faces }
+    Triangles::new(positions, faces)
 }
 
 /// A square of `side` x `side` cells of two triangles, without nine square holes of `hole` x `hole` cells.
-fn terrain(side: usize, hole: usize) -> Made {
+fn terrain(side: usize, hole: usize) -> Triangles {
     let in_hole = |x: usize| [1, 2, 3].iter().any(|k| (k * side / 4..k * side / 4 + hole).contains(&x));
     let (mut numbers, mut positions, mut faces) = (HashMap::new(), Vec::new(), Vec::new());
     let mut number = |x: usize, y: usize| {
@@ -67,7 +63,7 @@ fn terrain(side: usize, hole: usize) -> Made {
             faces.extend([[a, b, c], [a, c, d]]);
         }
     }
-    Made { name: "terrain with nine holes (made here)", positions, faces }
+    Triangles::new(positions, faces)
 }
 
 #[cfg(test)]
@@ -77,8 +73,8 @@ mod tests {
 
     #[test]
     fn one_is_closed_and_two_have_ten_boundaries() {
-        let [small, sphere, terrain] = all();
-        let figures = |made: &Made| Defects::of(made.positions.len(), &made.faces);
+        let [small, sphere, terrain] = all().map(|(_, mesh)| mesh);
+        let figures = |made: &Triangles| Defects::of(made.positions.len(), &made.faces);
         assert_eq!((sphere.positions.len(), sphere.faces.len()), (40_962, 81_920));
         assert_eq!(terrain.faces.len(), 2 * (204 * 204 - 9 * 64));
         assert_eq!(small.faces.len(), 2 * (33 * 33 - 9 * 4));

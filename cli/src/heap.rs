@@ -25,6 +25,11 @@ pub(crate) fn growth<T>(work: impl FnOnce() -> T) -> (T, Growth) {
     HEAP.growth(work)
 }
 
+/// Drops `value` and tells how many bytes of the heap that freed; as for [`growth`], no other thread allocates meanwhile.
+pub(crate) fn freed<T>(value: T) -> usize {
+    HEAP.freed(value)
+}
+
 /// Bytes that are held, and the most that were.
 struct Counters {
     live: AtomicUsize,
@@ -42,6 +47,12 @@ impl Counters {
         let result = work();
         let kept = self.live.load(Relaxed).saturating_sub(before);
         (result, Growth { kept, peak: self.peak.load(Relaxed).saturating_sub(before) })
+    }
+
+    fn freed<T>(&self, value: T) -> usize {
+        let before = self.live.load(Relaxed);
+        drop(value);
+        before.saturating_sub(self.live.load(Relaxed))
     }
 
     fn add(&self, bytes: usize) {
@@ -112,5 +123,12 @@ mod tests {
         assert_eq!(growth, Growth { kept: 32, peak: 64 });
         let ((), growth) = heap.growth(|| heap.subtract(32));
         assert_eq!(growth, Growth { kept: 0, peak: 0 });
+        struct Frees<'a>(&'a Counters);
+        impl Drop for Frees<'_> {
+            fn drop(&mut self) {
+                self.0.subtract(3);
+            }
+        }
+        assert_eq!(heap.freed(Frees(&heap)), 3);
     }
 }

@@ -1,6 +1,6 @@
 //! onering at the shell: `inspect` tells what is in a mesh file, `convert` makes another one of it, `compare` measures
-//! the data structures on it, `recommend` says which to take, `query` asks one what is around an element, `contours`, `minima` and `region` look for what
-//! its heights have, `deform` presses it.
+//! the data structures on it, `recommend` says which to take, `query` asks one what is around an element, `contours`,
+//! `minima` and `region` look for what its heights have, `deform` presses it.
 //! Thin over the library: what it prints, the crates `onering` and `onering-io` can be asked for.
 
 mod args;

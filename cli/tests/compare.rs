@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{SQUARE, onering, scratch};
+use common::{FAN, SQUARE, onering, renumbering, scratch};
 use onering::registry::{BACKENDS, COMPRESSED, RENUMBERING};
 use serde_json::Value;
 use std::ffi::OsString;
@@ -48,8 +48,7 @@ fn every_backend_on_a_small_mesh() {
     );
     assert_eq!((mesh["random_vertices"].as_array().unwrap().len(), &mesh["repair"]), (30, &Value::Null));
     let names: Vec<&str> = backends(&result, 0).iter().map(|row| row["name"].as_str().unwrap()).collect();
-    let registered = BACKENDS.iter().chain(RENUMBERING).map(|entry| entry.name);
-    let registered = registered.chain(COMPRESSED.iter().map(|entry| entry.name));
+    let registered = BACKENDS.iter().map(|entry| entry.name).chain(renumbering().map(|(name, _)| name));
     assert_eq!(names, registered.chain(["no data structure"]).collect::<Vec<_>>());
     names.iter().for_each(|name| assert!(run.out.contains(name), "{name}"));
     for row in backends(&result, 0) {
@@ -132,9 +131,7 @@ fn without_positions_that_are_numbers_there_is_no_reordering() {
 
 #[test]
 fn defects_are_held_or_repaired_and_the_report_says_so() {
-    // Three faces on an edge.
-    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
-    let file = scratch("defective", "fan.obj", text);
+    let file = scratch("defective", "fan.obj", FAN);
     let (run, result) = compare("defective", &[&file], &[]);
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
     let (mesh, repair) = (&result["meshes"][0], &result["meshes"][0]["repair"]);

@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::{SQUARE, fresh, onering};
-use onering::registry::{BACKENDS, COMPRESSED, RENUMBERING};
+use common::{FAN, SQUARE, fresh, onering, renumbering};
+use onering::registry::BACKENDS;
 use quick_xml::Reader;
 use quick_xml::events::Event;
 use serde_json::Value;
@@ -109,8 +109,8 @@ fn each_mesh_has_its_plots_each_with_names_and_a_table() {
     }
     assert!(page.contains("On the line, filled: "));
     // In each plot of rings of each mesh, against size, and in the tables.
-    let entries = BACKENDS.iter().chain(RENUMBERING).map(|entry| (entry.name, entry.traits));
-    for (name, traits) in entries.chain(COMPRESSED.iter().map(|entry| (entry.name, entry.traits))) {
+    let entries = BACKENDS.iter().map(|entry| (entry.name, entry.traits));
+    for (name, traits) in entries.chain(renumbering()) {
         let in_tables = count(&page, &format!("<th scope=\"row\">{name}</th>"));
         assert!(in_tables >= 8, "{name}: {in_tables}");
         if traits.contains(&"incidence") {
@@ -145,11 +145,10 @@ fn sizes_grow_and_are_in_the_json_too() {
 
 #[test]
 fn defects_files_without_faces_and_unread_ones_are_on_the_page() {
-    let three = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
     let target = fresh("defects", "page.html", "old");
     let [fan, points, missing] =
         ["fan.obj", "points.obj", "missing.obj"].map(|name| target.with_file_name(name));
-    std::fs::write(&fan, three).unwrap();
+    std::fs::write(&fan, FAN).unwrap();
     std::fs::write(&points, "v 0 0 0\n").unwrap();
     let run = write(&target, &[&fan, &points, &missing], &[]);
     assert_eq!((run.code, run.err.lines().count()), (Some(1), 1), "{run:?}");

@@ -2,8 +2,8 @@
 
 mod common;
 
-use common::{SQUARE, fresh, onering};
-use onering::registry::{BACKENDS, COMPRESSED, RENUMBERING};
+use common::{FAN, SQUARE, fresh, onering, onering_in_little_memory, renumbering};
+use onering::registry::{BACKENDS, RENUMBERING};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -27,28 +27,25 @@ fn with(result: &Value, verdicts: &[&str]) -> BTreeSet<String> {
 }
 
 /// The names of all that give vertices and faces other numbers.
-fn renumbering() -> impl Iterator<Item = &'static str> {
-    RENUMBERING.iter().map(|entry| entry.name).chain(COMPRESSED.iter().map(|entry| entry.name))
+fn names() -> impl Iterator<Item = &'static str> {
+    renumbering().map(|(name, _)| name)
 }
 
 const ELIGIBLE: [&str; 3] = ["picked", "slower", "larger"];
-
-/// Three faces on an edge.
-const FAN: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
 
 #[test]
 fn without_a_file_a_mesh_is_made_and_everything_has_a_verdict() {
     let (run, result) = recommend(&[]);
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
     let candidates = result["candidates"].as_array().unwrap();
-    assert_eq!(candidates.len(), BACKENDS.len() + RENUMBERING.len() + COMPRESSED.len());
+    assert_eq!(candidates.len(), BACKENDS.len() + names().count());
     assert_eq!((&candidates[0]["verdict"], &candidates[0]["name"]), (&"picked".into(), &result["pick"]));
     assert_eq!(with(&result, &["picked"]).len(), 1);
     // Rings are walked by whoever starts from a vertex, and by graphs.
     let walk = |traits: &[&str]| traits.contains(&"incidence") || traits.contains(&"graph");
     let expected = BACKENDS.iter().filter(|entry| walk(entry.traits)).map(|entry| entry.name.to_owned());
     assert_eq!(with(&result, &ELIGIBLE), expected.collect());
-    assert_eq!(with(&result, &["renumbers"]), renumbering().map(str::to_owned).collect());
+    assert_eq!(with(&result, &["renumbers"]), names().map(str::to_owned).collect());
     for candidate in candidates {
         let is_timed = candidate["times"]["rings"]["median_ns"].is_f64();
         assert_eq!(is_timed, ELIGIBLE.contains(&candidate["verdict"].as_str().unwrap()), "{candidate}");
@@ -76,11 +73,17 @@ fn what_is_asked_for_decides_on_traits() {
             assert!(pick["times"][query]["runs"] == 1, "{query}: {pick}");
         }
     }
-    let (_, result) = recommend(&["--queries", "rings", "edges"]);
-    assert_eq!(
-        with(&result, &ELIGIBLE).len(),
-        BACKENDS.iter().filter(|e| e.traits.contains(&"edge_map")).count()
-    );
+}
+
+#[test]
+fn a_file_may_follow_what_is_asked_for_and_what_is_asked_for_twice_counts_once() {
+    let file = fresh("queries", "square.obj", SQUARE);
+    let file = file.to_str().unwrap();
+    let (run, result) = recommend(&["--queries", "rings", "--queries", "edges,rings", file]);
+    assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
+    assert_eq!((&result["mesh"], &result["queries"]), (&file.into(), &serde_json::json!(["rings", "edges"])));
+    let has_edges = BACKENDS.iter().filter(|entry| entry.traits.contains(&"edge_map"));
+    assert_eq!(with(&result, &ELIGIBLE), has_edges.map(|entry| entry.name.to_owned()).collect());
 }
 
 #[test]
@@ -167,7 +170,7 @@ fn what_looks_around_a_vertex_of_very_many_faces_is_left_out() {
     let file = fresh("cone", "cone.obj", &cone);
     let (run, result) = recommend(&["--renumber", "--queries", "opposites", "--", file.to_str().unwrap()]);
     assert_eq!((run.code, run.err.as_str()), (Some(0), ""), "{run:?}");
-    assert_eq!(with(&result, &["too-slow"]), renumbering().map(str::to_owned).collect());
+    assert_eq!(with(&result, &["too-slow"]), names().map(str::to_owned).collect());
     let file = file.to_str().unwrap();
     let backends = ["--backend", "sot", "--backend", "compact-stars", "--backend", "che-l2"];
     let run = onering([&["compare", "--budget", "0"], &backends[..], &["--", file]].concat());
@@ -185,7 +188,7 @@ fn what_looks_around_a_vertex_of_very_many_faces_is_left_out() {
 fn the_line_for_cargo_names_a_feature_that_there_is() {
     let manifest = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.toml")).unwrap();
     let (_, result) = recommend(&["--renumber", "--queries", "build"]);
-    for name in BACKENDS.iter().map(|entry| entry.name).chain(renumbering()) {
+    for name in BACKENDS.iter().map(|entry| entry.name).chain(names()) {
         let feature = &candidate(&result, name)["feature"];
         let is_there = manifest.contains(&format!("\n{name} = ["));
         assert_eq!(feature.is_string(), is_there, "{name}");
@@ -207,4 +210,23 @@ fn what_cannot_be_measured_is_said() {
     let run = onering(["recommend", "missing.obj"]);
     assert_eq!((run.code, run.err.lines().count(), run.out.as_str()), (Some(2), 1, ""), "{run:?}");
     assert_eq!(onering(["recommend", "--queries", "miracles"]).code, Some(2));
+}
+
+/// 1.6 million triangles, of which what is held before anything is measured is a few times the mesh at most.
+#[test]
+fn a_large_mesh_in_little_memory_is_no_abort() {
+    let side = 900;
+    let vertices = (0..side * side).map(|v| format!("v {} {} 0\n", v % side, v / side));
+    let corners = (1..side).flat_map(|y| (1..side).map(move |x| (y - 1) * side + x));
+    let faces = corners.map(|v| {
+        let [a, b, c, d] = [v, v + 1, v + side + 1, v + side];
+        format!("f {a} {b} {c}\nf {a} {c} {d}\n")
+    });
+    let file = fresh("little_memory", "plain.obj", &vertices.chain(faces).collect::<String>());
+    let run = onering_in_little_memory(["recommend", "--budget=0", "--memory=100M", file.to_str().unwrap()]);
+    std::fs::remove_file(file).unwrap();
+    match run.code {
+        Some(0) => assert!(run.out.contains(" that answer and fit in 100.0 MB"), "{run:?}"),
+        code => assert!(code == Some(1) && run.err.contains("no memory for a table"), "{run:?}"),
+    }
 }

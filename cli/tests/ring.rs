@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{SQUARE, fresh, inspect, onering, onering_with_input};
+use common::{FAN, SQUARE, fresh, inspect, onering, onering_with_input};
 use onering::registry::BACKENDS;
 use std::fs;
 use std::io::Write;
@@ -38,11 +38,7 @@ fn every_backend_goes_into_a_file_and_comes_out_again() {
 
 #[test]
 fn a_backend_that_refuses_the_mesh_leaves_the_old_file() {
-    let start = fresh(
-        "refused",
-        "fan.obj",
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n",
-    );
+    let start = fresh("refused", "fan.obj", FAN);
     let ring = start.with_file_name("out.ring");
     fs::write(&ring, "old").unwrap();
     let arguments = ["convert", start.to_str().unwrap(), ring.to_str().unwrap(), "--backend", "che-l2"];

@@ -1,6 +1,6 @@
 //! One mesh to compare on: as it is, and repaired for the backends that cannot hold that.
 
-use super::orders::{self, InOrder};
+use super::orders::{self, Ordered};
 use super::record::{self, Named};
 use super::reference::{self, Sides};
 use super::sample::{Sample, Soup};
@@ -15,8 +15,8 @@ pub(crate) struct Ready {
     pub(crate) sample: Sample,
     pub(crate) counts: Counts,
     /// The same triangles in other orders, where those are wanted.
-    pub(crate) others: Vec<InOrder>,
-    /// What every backend should answer.
+    pub(crate) others: Vec<Ordered>,
+    /// What every backend should answer, where that is wanted.
     pub(crate) answers: Vec<(&'static str, u64)>,
 }
 
@@ -25,8 +25,8 @@ pub(crate) struct Ready {
 pub(crate) struct Wanted {
     /// Of what is random.
     pub(crate) seed: u64,
-    /// Whether the triangles are to be measured in other orders as well.
-    pub(crate) orders: bool,
+    /// Whether answers are to be compared, and the triangles to be measured in other orders as well.
+    pub(crate) comparison: bool,
 }
 
 /// A mesh in the one or two states that it is measured in.
@@ -83,14 +83,14 @@ fn repaired(
 
 impl Ready {
     fn of(soup: Soup, positions: &[[f32; 3]], wanted: Wanted) -> Result<Self, RepairError> {
-        let sides = Sides::of(&soup.faces);
-        Ok(Self {
-            sample: Sample::of(&soup, wanted.seed),
-            counts: reference::counts(&soup, &sides),
-            answers: sides.answers(&soup.faces),
-            others: if wanted.orders { orders::of(&soup, positions, wanted.seed)? } else { Vec::new() },
-            soup,
-        })
+        let sides = Sides::of(&soup.faces)?;
+        let counts = reference::counts(&soup, &sides)?;
+        let answers = if wanted.comparison { sides.answers(&soup.faces) } else { Vec::new() };
+        // They take more than the mesh.
+        drop(sides);
+        let sample = Sample::of(&soup, wanted.seed);
+        let others = if wanted.comparison { orders::of(&soup, positions, wanted.seed)? } else { Vec::new() };
+        Ok(Self { soup, sample, counts, others, answers })
     }
 
     /// How half-edges are paired where nobody chooses, by order.

@@ -41,7 +41,7 @@ pub(crate) struct Measured {
     pub(crate) vertex_record_words: usize,
     /// Vertices in faces that have none of their own, where there is such a thing.
     pub(crate) unmatched: usize,
-    /// The strategy that the library takes of its own accord first.
+    /// The strategy that the library takes of its own accord first; empty where the depth asks for none.
     pub(crate) build: Vec<(Pairing, Timing)>,
     pub(crate) rings: Option<Rings>,
     pub(crate) sweep: Option<Timing>,
@@ -53,6 +53,25 @@ pub(crate) struct Measured {
     pub(crate) answers: Vec<(&'static str, u64)>,
     /// Where vertices and faces have other numbers: what the list of faces says in those.
     pub(crate) expected: Option<Vec<(&'static str, u64)>>,
+}
+
+impl Depth<'_> {
+    /// Whether the time of building is wanted.
+    pub(crate) fn builds(self) -> bool {
+        match self {
+            Self::Only(questions) => questions.contains(&Question::Build),
+            Self::All { .. } | Self::Sweep => true,
+        }
+    }
+}
+
+/// Whether a smaller mesh, or more memory, would do: nothing is wrong with this one.
+pub(crate) fn is_too_large(refusal: &BuildError) -> bool {
+    use BuildError::{OutOfMemory, TooManyHalfEdges, TooManyRecords, TooManyVertices};
+    matches!(
+        refusal,
+        OutOfMemory { .. } | TooManyVertices { .. } | TooManyHalfEdges { .. } | TooManyRecords { .. }
+    )
 }
 
 /// A backend of the registry.
@@ -67,7 +86,7 @@ pub(crate) fn backend<M: FromFaces + Footprint>(
     let mut measured = Measured { counted: growth.kept, peak: growth.peak, ..Measured::default() };
     measured.told = Some(mesh.heap_bytes());
     measured.vertex_record_words = kernels.vertex_record_words.map_or(0, |words| words(&mesh));
-    let mut pairings = vec![Pairing::Auto];
+    let mut pairings: Vec<Pairing> = plan.depth.builds().then_some(Pairing::Auto).into_iter().collect();
     if let Depth::All { with_quadratic } = plan.depth {
         pairings.extend(strategies(with_quadratic).filter(|_| kernels.pairs()));
     }
@@ -133,5 +152,17 @@ impl Measured {
         answers.extend(self.rings.as_ref().map(|rings| ("rings", rings.checksum())));
         answers.extend(kernels.checks.iter().map(|&(name, check)| (name, check(mesh))));
         self.answers = answers;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_too_large_is_told_from_what_is_wrong() {
+        let too_many = BuildError::TooManyVertices { vertices: 9, limit: 8 };
+        assert!([BuildError::OutOfMemory { bytes: 1 }, too_many].iter().all(is_too_large));
+        assert!(!is_too_large(&BuildError::DegenerateFace { face: 0, vertex: 1 }));
     }
 }

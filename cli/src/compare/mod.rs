@@ -43,8 +43,8 @@ pub(crate) fn run(options: &args::Compare) -> io::Result<Status> {
     let mut run = Comparison::new(options);
     output::print(&report::head(&run.run))?;
     if options.files.is_empty() {
-        for made in default_mesh::all() {
-            run.compare(made.name.to_owned(), &made.positions, made.faces)?;
+        for (name, made) in default_mesh::all() {
+            run.compare(name.to_owned(), &made.positions, made.faces)?;
         }
     }
     for file in &options.files {
@@ -102,7 +102,7 @@ impl<'a> Comparison<'a> {
         if faces.is_empty() {
             return self.show(fill::without_faces(name, positions.len()));
         }
-        let wanted = Wanted { seed: self.options.seed, orders: true };
+        let wanted = Wanted { seed: self.options.seed, comparison: true };
         match Case::of(name.clone(), positions, faces, wanted) {
             Err(error) => {
                 self.give_up(name.clone(), format!("{name}: {error}"));

@@ -14,16 +14,16 @@ pub(crate) const REORDERED: &str = "reordered";
 
 /// The same triangles in another order.
 #[derive(Debug)]
-pub(crate) struct InOrder {
+pub(crate) struct Ordered {
     pub(crate) name: &'static str,
     pub(crate) soup: Soup,
 }
 
 /// The mesh shuffled, and that reordered; the latter only where all positions are numbers.
-pub(crate) fn of(soup: &Soup, positions: &[[f32; 3]], seed: u64) -> Result<Vec<InOrder>, BuildError> {
+pub(crate) fn of(soup: &Soup, positions: &[[f32; 3]], seed: u64) -> Result<Vec<Ordered>, BuildError> {
     let shuffled = shuffled(&soup.mesh()?, seed);
     let positions: Map<_, _> = shuffled.carry_vertices(positions).into();
-    let in_order = |name, faces| InOrder { name, soup: Soup { faces, ..*soup } };
+    let in_order = |name, faces| Ordered { name, soup: Soup { faces, ..*soup } };
     let shuffled = in_order(SHUFFLED, shuffled.faces);
     let reordered = match morton(&positions) {
         Ok(order) => Some(in_order(REORDERED, reorder(&shuffled.soup.mesh()?, &order).faces)),
@@ -33,7 +33,7 @@ pub(crate) fn of(soup: &Soup, positions: &[[f32; 3]], seed: u64) -> Result<Vec<I
 }
 
 /// The strategy that pairing takes of its own accord in each order, the given one first.
-pub(crate) fn choices(soup: &Soup, others: &[InOrder]) -> Vec<(String, String)> {
+pub(crate) fn choices(soup: &Soup, others: &[Ordered]) -> Vec<(String, String)> {
     let choice = |soup: &Soup| Pairing::choose(soup.vertex_count, &soup.faces).to_string();
     let others = others.iter().map(|other| (other.name.to_owned(), choice(&other.soup)));
     std::iter::once((GIVEN.to_owned(), choice(soup))).chain(others).collect()
@@ -63,7 +63,7 @@ mod tests {
 
     #[test]
     fn shuffling_is_for_one_strategy_and_reordering_for_the_other() {
-        let [_, _, made] = default_mesh::all();
+        let [_, _, (_, made)] = default_mesh::all();
         let soup = Soup { vertex_count: made.positions.len(), faces: made.faces, is_clean: true };
         let others = of(&soup, &made.positions, 5).unwrap();
         assert_eq!([SHUFFLED, REORDERED], [0, 1].map(|i| others[i].name));

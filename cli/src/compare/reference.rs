@@ -4,6 +4,7 @@
 use super::kernels::{mix, mix_face, mix_fan};
 use super::sample::Soup;
 use onering::footprint::Counts;
+use onering::{BuildError, memory};
 
 /// The sides of all faces, those along the same edge next to each other.
 #[derive(Debug)]
@@ -18,8 +19,16 @@ struct Side {
     is_rising: bool,
 }
 
+/// In place of a side, where no other is across.
+const NOBODY: u32 = u32::MAX;
+
 impl Sides {
-    pub(crate) fn of(faces: &[[u32; 3]]) -> Self {
+    /// Most of what is held before anything is measured: an error where there is no memory for it.
+    pub(crate) fn of(faces: &[[u32; 3]]) -> Result<Self, BuildError> {
+        let half_edges = faces.len().saturating_mul(3);
+        if half_edges > NOBODY as usize {
+            return Err(BuildError::TooManyHalfEdges { half_edges, limit: NOBODY as usize });
+        }
         let side = |face: usize, corner: u8, a: u32, b: u32| Side {
             low: a.min(b),
             high: a.max(b),
@@ -31,9 +40,10 @@ impl Sides {
             |(f, &[a, b, c]): (usize, &[u32; 3])| [side(f, 0, a, b), side(f, 1, b, c), side(f, 2, c, a)];
         // A side that returns to its own vertex is no edge.
         let is_edge = |side: &Side| side.low != side.high;
-        let mut sides: Vec<Side> = faces.iter().enumerate().flat_map(sides).filter(is_edge).collect();
-        sides.sort_unstable();
-        Self(sides)
+        let mut all: Vec<Side> = memory::with_room(half_edges)?;
+        all.extend(faces.iter().enumerate().flat_map(sides).filter(is_edge));
+        all.sort_unstable();
+        Ok(Self(all))
     }
 
     fn edges(&self) -> impl Iterator<Item = &[Side]> {
@@ -104,7 +114,7 @@ fn add(sum: &mut u64, term: u64) {
 
 /// The numbers of elements that formulas for memory are linear in, but for the records of vertices. Without records
 /// of edges and curves where the list has defects that no backend with such things holds.
-pub(crate) fn counts(soup: &Soup, sides: &Sides) -> Counts {
+pub(crate) fn counts(soup: &Soup, sides: &Sides) -> Result<Counts, BuildError> {
     let mut counts = Counts {
         vertices: soup.vertex_count,
         edges: sides.edge_count(),
@@ -115,10 +125,10 @@ pub(crate) fn counts(soup: &Soup, sides: &Sides) -> Counts {
         // A record is its length and its half-edges.
         counts.edge_record_words = sides.irregular().map(|edge| 1 + edge.len()).sum();
         if counts.edge_record_words == 0 {
-            counts.curves = sides.curve_count(soup.faces.len());
+            counts.curves = sides.curve_count(soup.faces.len())?;
         }
     }
-    counts
+    Ok(counts)
 }
 
 impl Sides {
@@ -129,31 +139,27 @@ impl Sides {
 
     /// Number of boundary curves, where no edge is irregular. From each boundary side, turn through the faces around
     /// the vertex that it ends in to the next one: that is a permutation, and its cycles are the curves.
-    fn curve_count(&self, face_count: usize) -> usize {
-        let mut across = vec![None; 3 * face_count];
-        let mut boundary = Vec::new();
+    fn curve_count(&self, face_count: usize) -> Result<usize, BuildError> {
+        let mut across = memory::filled(3 * face_count, NOBODY)?;
         for edge in self.edges() {
-            match *edge {
-                [one, other] => {
-                    across[one.index()] = Some(other.index());
-                    across[other.index()] = Some(one.index());
-                }
-                _ => boundary.push(edge[0].index()),
+            if let [one, other] = *edge {
+                across[one.index()] = other.index() as u32;
+                across[other.index()] = one.index() as u32;
             }
         }
-        let mut seen = vec![false; 3 * face_count];
+        let mut seen = memory::filled(3 * face_count, false)?;
         let mut count = 0;
-        for start in boundary {
+        for start in self.edges().filter(|edge| edge.len() == 1).map(|edge| edge[0].index()) {
             count += usize::from(!seen[start]);
             let mut side = start;
             while !std::mem::replace(&mut seen[side], true) {
                 side = after(side);
-                while let Some(other) = across[side] {
-                    side = after(other);
+                while across[side] != NOBODY {
+                    side = after(across[side] as usize);
                 }
             }
         }
-        count
+        Ok(count)
     }
 }
 
@@ -175,7 +181,7 @@ mod tests {
     /// Edges, curves and words in records of edges.
     fn counted(vertex_count: usize, faces: &[[u32; 3]]) -> [usize; 3] {
         let soup = Soup { vertex_count, faces: faces.to_vec(), is_clean: true };
-        let counts = counts(&soup, &Sides::of(faces));
+        let counts = counts(&soup, &Sides::of(faces).unwrap()).unwrap();
         assert_eq!((counts.vertices, counts.faces), (vertex_count, faces.len()));
         [counts.edges, counts.curves, counts.edge_record_words]
     }

@@ -5,14 +5,14 @@ use super::measure::{Depth, Measured, Plan};
 use super::reference::Sides;
 use super::sample::{Sample, Soup};
 use crate::heap;
-use onering::{BuildError, CompactStars, Footprint, Incidence, Pairing, Renumbering, Sot};
+use onering::{BuildError, CompactStars, Footprint, Incidence, Pairing, Renumbering, Sot, memory};
 
 /// The sorted opposite table. Every name of a vertex is looked for around it: where one has very many faces, nothing is
 /// asked.
 pub(crate) fn sot(plan: &Plan<'_>) -> Result<Measured, BuildError> {
-    let kernels = if plan.soup.is_quick_to_look_around() { kernels() } else { Kernels::new() };
+    let kernels = if plan.soup.is_quick_to_look_around()? { kernels() } else { Kernels::new() };
     let (mesh, mut measured) = encoded(plan, Sot::encode, Sot::heap_bytes, &kernels)?;
-    measured.unmatched = used_vertices(plan.soup) - mesh.matched_count();
+    measured.unmatched = used_vertices(plan.soup)? - mesh.matched_count();
     Ok(measured)
 }
 
@@ -20,7 +20,7 @@ pub(crate) fn sot(plan: &Plan<'_>) -> Result<Measured, BuildError> {
 /// out.
 pub(crate) fn compact_stars(plan: &Plan<'_>) -> Result<Measured, BuildError> {
     let mut kernels = kernels();
-    if !plan.soup.is_quick_to_look_around() {
+    if !plan.soup.is_quick_to_look_around()? {
         kernels.checks.retain(|(name, _)| !["edge_fan", "opposite", "boundary", "star"].contains(name));
         kernels.face_queries = None;
     }
@@ -42,48 +42,51 @@ fn encoded<M>(
     kernels: &Kernels<M>,
 ) -> Result<(M, Measured), BuildError> {
     let Soup { vertex_count, ref faces, .. } = *plan.soup;
+    let (encoded, growth) = heap::growth(|| encode(vertex_count, faces));
+    let (mesh, maps) = encoded?;
+    let (soup, sample) = (renumbered_soup(plan.soup, &maps)?, renumbered_sample(plan.sample, &maps)?);
     // What is kept is the structure without the maps, which a caller may drop once attributes are carried over.
-    let (mesh, growth) = heap::growth(|| encode(vertex_count, faces).map(|(mesh, _)| mesh));
-    let mesh = mesh?;
-    let (_, maps) = encode(vertex_count, faces)?;
-    let (soup, sample) = (renumbered_soup(plan.soup, &maps), renumbered_sample(plan.sample, &maps));
-    let mut measured = Measured { counted: growth.kept, peak: growth.peak, ..Measured::default() };
+    let counted = growth.kept - heap::freed(maps);
+    let mut measured = Measured { counted, peak: growth.peak, ..Measured::default() };
     measured.told = Some(heap_bytes(&mesh));
-    let build = plan.clock.time(|| encode(vertex_count, faces));
-    measured.build.push((Pairing::Auto, build));
+    if plan.depth.builds() {
+        let build = plan.clock.time(|| encode(vertex_count, faces));
+        measured.build.push((Pairing::Auto, build));
+    }
     measured.ask(&mesh, kernels, &Plan { soup: &soup, sample: &sample, ..*plan });
     // Sums of numbers that nobody else has, but for the sizes of rings.
     let is_checked = matches!(plan.depth, Depth::All { .. });
     measured.expected =
-        Some(if is_checked { Sides::of(&soup.faces).answers(&soup.faces) } else { Vec::new() });
+        Some(if is_checked { Sides::of(&soup.faces)?.answers(&soup.faces) } else { Vec::new() });
     Ok((mesh, measured))
 }
 
-fn renumbered_soup(soup: &Soup, maps: &Renumbering) -> Soup {
+fn renumbered_soup(soup: &Soup, maps: &Renumbering) -> Result<Soup, BuildError> {
     let face = |(&f, &first): (&u32, &u8)| {
         let mut face = soup.faces[f as usize].map(|v| maps.vertex_target[v as usize]);
         face.rotate_left(first.into());
         face
     };
-    Soup { faces: maps.face_source.iter().zip(&maps.first_corner).map(face).collect(), ..*soup }
+    let faces = memory::collected(maps.face_source.iter().zip(&maps.first_corner).map(face))?;
+    Ok(Soup { faces, ..*soup })
 }
 
-fn renumbered_sample(sample: &Sample, maps: &Renumbering) -> Sample {
-    let mut face_target = vec![0; maps.face_source.len()];
+fn renumbered_sample(sample: &Sample, maps: &Renumbering) -> Result<Sample, BuildError> {
+    let mut face_target = memory::filled(maps.face_source.len(), 0)?;
     maps.face_source.iter().zip(0..).for_each(|(&f, target)| face_target[f as usize] = target);
     let carried = |numbers: &[u32], target: &[u32]| numbers.iter().map(|&n| target[n as usize]).collect();
-    Sample {
+    Ok(Sample {
         starts: carried(&sample.starts, &maps.vertex_target),
         vertices: carried(&sample.vertices, &maps.vertex_target),
         faces: carried(&sample.faces, &face_target),
-    }
+    })
 }
 
 /// How many vertices are in a face.
-fn used_vertices(soup: &Soup) -> usize {
-    let mut is_used = vec![false; soup.vertex_count];
+fn used_vertices(soup: &Soup) -> Result<usize, BuildError> {
+    let mut is_used = memory::filled(soup.vertex_count, false)?;
     soup.faces.as_flattened().iter().for_each(|&v| is_used[v as usize] = true);
-    is_used.into_iter().filter(|&used| used).count()
+    Ok(is_used.into_iter().filter(|&used| used).count())
 }
 
 #[cfg(test)]
@@ -98,7 +101,7 @@ mod tests {
     #[test]
     fn matched_vertices_are_among_those_in_faces() {
         let (mesh, _) = Sot::encode(5, &square().faces).unwrap();
-        assert_eq!((used_vertices(&square()), mesh.matched_count()), (4, 2));
+        assert_eq!((used_vertices(&square()).unwrap(), mesh.matched_count()), (4, 2));
     }
 
     #[test]
@@ -112,9 +115,9 @@ mod tests {
     }
 
     fn check(soup: &Soup, maps: &Renumbering) {
-        let renumbered = renumbered_soup(soup, maps);
+        let renumbered = renumbered_soup(soup, maps).unwrap();
         let sample = Sample { starts: vec![1, 3], vertices: vec![4], faces: vec![0, 1] };
-        let carried = renumbered_sample(&sample, maps);
+        let carried = renumbered_sample(&sample, maps).unwrap();
         assert!(carried.vertices.iter().eq([&maps.vertex_target[4]]));
         for (old, new) in sample.faces.iter().zip(&carried.faces) {
             let back = renumbered.faces[*new as usize].map(|v| maps.vertex_source[v as usize]);

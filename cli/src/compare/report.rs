@@ -1,4 +1,4 @@
-//! The report for people to read: two tables for each mesh.
+//! The report for people to read: four tables for each mesh.
 
 use super::orders::{GIVEN, REORDERED, SHUFFLED};
 use super::record::{Backend, InOrder, Mesh, Named, Run};

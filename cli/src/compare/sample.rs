@@ -3,7 +3,7 @@
 pub(crate) use crate::random::scramble;
 
 use crate::random::Random;
-use onering::Pairing;
+use onering::{BuildError, Pairing, memory};
 
 /// A list of triangles to build from.
 #[derive(Clone, Debug)]
@@ -18,21 +18,21 @@ impl Soup {
     /// Whether searching all faces at every step takes no longer than on a regular mesh of a few times `limit`
     /// triangles. A random corner is at a vertex of d faces as often as there are d, and going around takes d
     /// searches: the sum of squares is 18 a triangle where each vertex has six faces.
-    pub(crate) fn is_quick_to_search(&self, limit: usize) -> bool {
-        self.faces.len() <= limit && self.squared_degrees() <= 60_u64.saturating_mul(limit as u64)
+    pub(crate) fn is_quick_to_search(&self, limit: usize) -> Result<bool, BuildError> {
+        Ok(self.faces.len() <= limit && self.squared_degrees()? <= 60_u64.saturating_mul(limit as u64))
     }
 
     /// Whether to look once around a vertex of each corner takes seconds at most, or is what a regular mesh of this size
     /// takes in any case.
-    pub(crate) fn is_quick_to_look_around(&self) -> bool {
-        self.squared_degrees() <= 1_000_000_000 + 60 * self.faces.len() as u64
+    pub(crate) fn is_quick_to_look_around(&self) -> Result<bool, BuildError> {
+        Ok(self.squared_degrees()? <= 1_000_000_000 + 60 * self.faces.len() as u64)
     }
 
     /// The sum over all vertices of the square of their numbers of faces.
-    fn squared_degrees(&self) -> u64 {
-        let mut degrees = vec![0_u64; self.vertex_count];
+    fn squared_degrees(&self) -> Result<u64, BuildError> {
+        let mut degrees = memory::filled(self.vertex_count, 0_u32)?;
         self.faces.as_flattened().iter().for_each(|&v| degrees[v as usize] += 1);
-        degrees.iter().map(|degree| degree * degree).sum()
+        Ok(degrees.iter().map(|&degree| u64::from(degree).pow(2)).sum())
     }
 }
 
@@ -65,7 +65,7 @@ impl Sample {
     }
 }
 
-/// The strategies to time, with their names: the quadratic one only if asked.
+/// The strategies to time: the quadratic one only if asked.
 pub(crate) fn strategies(with_quadratic: bool) -> impl Iterator<Item = Pairing> {
     Pairing::ALL.into_iter().filter(move |&pairing| with_quadratic || pairing != Pairing::Quadratic)
 }

@@ -5,6 +5,7 @@ mod choice;
 mod report;
 mod size;
 
+pub(crate) use choice::within_noise;
 pub(crate) use size::Size;
 
 use crate::args;
@@ -20,6 +21,10 @@ use candidate::{Candidate, Verdict, within};
 use report::Report;
 use std::io;
 
+/// Rounds in which every candidate has its turn: one after the other, what slows the machine down for a while would
+/// slow down one candidate alone.
+const ROUNDS: u32 = 3;
+
 /// Measures, and prints what to take.
 pub(crate) fn run(options: &args::Recommend) -> io::Result<Status> {
     match recommend(options) {
@@ -33,9 +38,11 @@ fn recommend(options: &args::Recommend) -> Result<(), Failure> {
     if mesh.faces.is_empty() {
         return Err(Failure::Output(format!("{name}: it has no faces to measure on")));
     }
-    let wanted = Wanted { seed: options.seed, orders: false };
+    let wanted = Wanted { seed: options.seed, comparison: false };
     let case = Case::of(name.clone(), &mesh.positions, mesh.faces, wanted)
         .map_err(|error| Failure::Output(format!("{name}: {error}")))?;
+    // Nothing is asked about places.
+    drop(mesh.positions);
     let mut candidates = measured(&case.as_it_is, options);
     let mut pick = choice::pick(&mut candidates);
     let mut state = &case.as_it_is;
@@ -58,14 +65,22 @@ fn recommend(options: &args::Recommend) -> Result<(), Failure> {
 
 fn measured(ready: &Ready, options: &args::Recommend) -> Vec<Candidate> {
     // Without a thread that ticks: it would allocate while bytes are counted.
-    let bar = compare::progress(SUBJECTS.len());
+    let rounds = if options.budget == 0 { 1 } else { ROUNDS as usize };
+    let bar = compare::progress(rounds * SUBJECTS.len());
     let candidate = |(subject, known): (&Subject, Known)| {
         bar.set_message(known.name);
         let candidate = Candidate::of(subject, known, ready, options);
         bar.inc(1);
         candidate
     };
-    let candidates = SUBJECTS.iter().zip(all_known()).map(candidate).collect();
+    let mut candidates: Vec<Candidate> = SUBJECTS.iter().zip(all_known()).map(candidate).collect();
+    for _ in 1..rounds {
+        for (candidate, subject) in candidates.iter_mut().zip(SUBJECTS) {
+            bar.set_message(candidate.known.name);
+            candidate.measure_again(subject, ready, options);
+            bar.inc(1);
+        }
+    }
     bar.finish_and_clear();
     candidates
 }

@@ -2,6 +2,7 @@
 
 use super::Size;
 use super::candidate::{Candidate, Verdict, within};
+use super::choice::within_noise;
 use crate::args;
 use crate::compare::case::Case;
 use crate::compare::sample::Soup;
@@ -24,7 +25,8 @@ pub(super) struct Report<'a> {
     pub(super) pick: Option<usize>,
 }
 
-const NOTE: &str = "Times are medians of at least three runs, after one to warm up; `*` is a single run. Keeps: the \
+const NOTE: &str = "Times are medians of at least three runs, after one to warm up, of the best of three rounds in which all have their \
+    turn; `*` is a single run. The least times decide. Keeps: the \
     structure and positions of 12 bytes a vertex. Needs: the most while it is built, with these positions and the list of \
     faces; `≥` where it was not built: it takes that in any case. `-` was not measured. Why: the first that applies of \
     traits, numbers, memory, defects, time.";
@@ -65,7 +67,11 @@ impl Report<'_> {
             })
             .collect();
         let is_same = self.candidates.iter().any(|candidate| candidate.verdict == Verdict::Larger);
-        let rank = if is_same { "the smallest within 5 % of the fastest" } else { "the fastest" };
+        let rank = if is_same {
+            format!("the smallest {} of the fastest", within_noise())
+        } else {
+            "the fastest".into()
+        };
         let faces = if pick.has_faces() {
             String::new()
         } else {

@@ -1,6 +1,7 @@
 //! Runs the binary, and finds the real files.
 #![allow(dead_code, reason = "each test uses a part of it")]
 
+use onering::registry::{COMPRESSED, RENUMBERING};
 use onering_io::Format;
 use serde_json::Value;
 use std::ffi::OsStr;
@@ -98,6 +99,15 @@ pub(crate) fn fresh(test: &str, name: &str, content: &str) -> PathBuf {
 
 /// Two triangles on an edge.
 pub(crate) const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+
+/// Three triangles on an edge.
+pub(crate) const FAN: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
+
+/// The name and the traits of all that give vertices and faces other numbers.
+pub(crate) fn renumbering() -> impl Iterator<Item = (&'static str, &'static [&'static str])> {
+    let entries = RENUMBERING.iter().map(|entry| (entry.name, entry.traits));
+    entries.chain(COMPRESSED.iter().map(|entry| (entry.name, entry.traits)))
+}
 
 /// The folder of real meshes: `ONERING_MESHES`, or `shared/meshes` beside the workspace.
 fn meshes_folder() -> PathBuf {

@@ -31,7 +31,8 @@ impl Axis {
     fn share(self, value: f64) -> f64 {
         match self {
             Self::Linear(least, most) => (value - least) / (most - least),
-            Self::Logarithmic(least, most) => (value / least).ln() / (most / least).ln(),
+            // 0 has no place, and is drawn at the end: a clock that is too coarse tells such a time.
+            Self::Logarithmic(least, most) => (value.max(least) / least).ln() / (most / least).ln(),
             Self::Rows(count) => (count as f64 - 0.5 - value) / count as f64,
         }
     }
@@ -109,6 +110,7 @@ mod tests {
     fn values_map_to_pixels() {
         let log = Axis::Logarithmic(1.0, 100.0);
         assert_eq!([1.0, 10.0, 100.0].map(|v| log.map(&v, (0, 200))), [0, 100, 200]);
+        assert_eq!([(20, 200), (200, 20)].map(|pixels| log.map(&0.0, pixels)), [20, 200]);
         // Upwards on a screen is towards smaller numbers; the first row is at the top all the same.
         assert_eq!([0.0, 1.0].map(|row| Axis::Rows(2).map(&row, (400, 0))), [100, 300]);
     }

@@ -27,42 +27,50 @@ fn words(words: &[&str]) -> Vec<String> {
 
 /// What to pick, in one picture.
 pub(super) fn memory(id: &str, mesh: &Mesh) -> Plot {
-    let known = |row: &&Backend| row.memory.is_some();
-    let point = |row: &'_ Backend| {
-        let (memory, time) = (row.memory.as_ref()?, each(row.sweep.as_ref()?));
-        let spread = [time.min_ns, time.quartile_ns];
-        let is_mesh = row.traits.contains(&"topology");
-        Some((row.name, memory.counted_bytes_per_triangle, time.median_ns, spread, is_mesh))
+    let points: Vec<scatter::Point<'_>> = mesh.backends.iter().filter_map(point).collect();
+    let description = description(&points);
+    let title = "Memory against ring time";
+    let words = [title, &description, "bytes a triangle", "one-ring, ns a vertex"];
+    let svg = scatter::draw(id, words, &points);
+    let without = mesh.backends.iter().filter(|row| row.memory.is_some() && row.sweep.is_none());
+    let without: Vec<&str> = without.map(|row| row.name).collect();
+    let note = if without.is_empty() {
+        description
+    } else {
+        format!("{description} Not in the plot, for they cannot start from a vertex: {}.", without.join(", "))
     };
-    let points: Vec<scatter::Point<'_>> = mesh
-        .backends
-        .iter()
-        .filter_map(point)
-        .map(|(name, x, y, spread, is_mesh)| scatter::Point { name, x, y, spread, is_mesh })
-        .collect();
-    let front: Vec<&str> = scatter::front(&points).into_iter().map(|i| points[i].name).collect();
-    let without: Vec<&str> = mesh
-        .backends
-        .iter()
-        .filter(|row| row.memory.is_some() && row.sweep.is_none())
-        .map(|row| row.name)
-        .collect();
+    Plot { title: title.into(), svg, note, table: bytes(mesh) }
+}
+
+/// Where a structure is in the plot; `None` where it cannot start from a vertex.
+fn point(row: &Backend) -> Option<scatter::Point<'_>> {
+    let (memory, time) = (row.memory.as_ref()?, each(row.sweep.as_ref()?));
+    Some(scatter::Point {
+        name: row.name,
+        x: memory.counted_bytes_per_triangle,
+        y: time.median_ns,
+        spread: [time.min_ns, time.quartile_ns],
+        is_mesh: row.traits.contains(&"topology"),
+    })
+}
+
+fn description(points: &[scatter::Point<'_>]) -> String {
+    let front: Vec<&str> = scatter::front(points).into_iter().map(|i| points[i].name).collect();
     let renumbering: Vec<&str> =
         all_known().filter(|known| known.renumbers).map(|known| known.name).collect();
-    let description = format!(
+    format!(
         "Left and low is better. On the line, filled: {}. No structure with faces beats these in both memory and time. The \
          mark with three corners is a bare graph, which knows neighbours and no faces. {} give vertices and faces other \
          numbers. What lies across an edge is another question, of which the random queries below tell.",
         front.join(", "),
         renumbering.join(" and ")
-    );
-    let note = if without.is_empty() {
-        description.clone()
-    } else {
-        format!("{description} Not in the plot, for they cannot start from a vertex: {}.", without.join(", "))
-    };
+    )
+}
+
+/// The figures of the plot, and what they are made of.
+fn bytes(mesh: &Mesh) -> Table {
     let row = |row: &Backend| {
-        let memory = row.memory.as_ref().expect("those without are left out");
+        let memory = row.memory.as_ref()?;
         let bytes = [
             Some(memory.counted_bytes_per_triangle),
             Some(memory.peak_bytes_per_triangle),
@@ -72,31 +80,15 @@ pub(super) fn memory(id: &str, mesh: &Mesh) -> Plot {
         // Figures first, for narrow screens.
         let figures = [time].into_iter().chain(bytes.map(Cell::Number));
         let words = [memory.formula.clone(), row.traits.join(", "), row.mesh.to_owned()].map(Cell::Words);
-        (row.name.to_owned(), figures.chain(words).collect())
+        Some((row.name.to_owned(), figures.chain(words).collect()))
     };
-    Plot {
-        title: "Memory against ring time".into(),
-        svg: scatter::draw(
-            id,
-            ["Memory against ring time", &description, "bytes a triangle", "one-ring, ns a vertex"],
-            &points,
-        ),
-        note,
-        table: Table {
-            caption: "One-rings in ns a vertex; bytes a triangle, as counted, at the peak of building and by formula"
+    let header = ["structure", "one-ring", "counted", "peak", "by formula", "formula", "traits", "mesh"];
+    Table {
+        caption:
+            "One-rings in ns a vertex; bytes a triangle, as counted, at the peak of building and by formula"
                 .into(),
-            header: words(&[
-                "structure",
-                "one-ring",
-                "counted",
-                "peak",
-                "by formula",
-                "formula",
-                "traits",
-                "mesh",
-            ]),
-            rows: mesh.backends.iter().filter(known).map(row).collect(),
-        },
+        header: words(&header),
+        rows: mesh.backends.iter().filter_map(row).collect(),
     }
 }
 

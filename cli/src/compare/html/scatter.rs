@@ -1,7 +1,7 @@
 //! Points by two figures, of which less is better, with their names and the front of those that none beats in both.
 
 use super::axis::Axis;
-use super::figure::{Frame, INK, Tone, write};
+use super::figure::{Area, Drawn, Frame, INK, Tone, write};
 use super::labels::{self, Box2};
 use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
@@ -50,58 +50,67 @@ pub(super) fn draw(id: &str, words: [&str; 4], points: &[Point<'_>]) -> String {
     frame.draw(|chart, root| {
         let at = |point: &Point<'_>, y: f64| chart.backend_coord(&(point.x, y));
         let (across, up) = chart.plotting_area().get_pixel_range();
-        let steps = front.windows(2).flat_map(|two| {
-            let [a, b] = [points[two[0]], points[two[1]]];
-            [at(&a, a.y), at(&b, a.y), at(&b, b.y)]
-        });
-        let steps: Vec<(i32, i32)> = steps.collect();
-        let mut lines: Vec<Box2> = steps.windows(2).map(|two| along(two[0], two[1])).collect();
-        root.draw(&PathElement::new(steps, Tone::of(0).rgb().stroke_width(2)))?;
+        let mut lines = front_line(root, &front, |i, j| at(&points[i], points[j].y))?;
         for point in points {
-            let [low, high] = point.spread.map(|y| at(point, y).1.clamp(up.start, up.end));
-            let place = at(point, point.y);
-            lines.push(along((place.0, low), (place.0, high)));
-            let faint = Tone::of(0).rgb().mix(0.35).stroke_width(3);
-            root.draw(&PathElement::new([(place.0, low), (place.0, high)], faint))?;
+            let [low, high] = point.spread.map(|y| at(point, y)).map(|(x, y)| (x, y.clamp(up.start, up.end)));
+            lines.push(along(low, high));
+            root.draw(&PathElement::new([low, high], Tone::of(0).rgb().mix(0.35).stroke_width(3)))?;
         }
         for (i, point) in points.iter().enumerate() {
-            let place = at(point, point.y);
-            let style = Tone::of(0).rgb();
-            let style = if front.contains(&i) { style.filled() } else { style.stroke_width(2) };
-            if point.is_mesh {
-                root.draw(&Circle::new(place, 5, style))?;
-            } else {
-                root.draw(&TriangleMarker::new(place, 7, style))?;
-            }
+            mark(root, point.is_mesh, front.contains(&i), at(point, point.y))?;
         }
-        let places: Vec<(f64, f64)> = points
-            .iter()
-            .map(|point| at(point, point.y))
-            .map(|(x, y)| (f64::from(x), f64::from(y)))
-            .collect();
+        let places = points.iter().map(|point| at(point, point.y));
+        let places: Vec<(f64, f64)> = places.map(|(x, y)| (f64::from(x), f64::from(y))).collect();
         let names: Vec<&str> = points.iter().map(|point| point.name).collect();
         let bounds = [across.start, up.start, across.end, up.end].map(f64::from);
-        for ((place, name), label) in
-            places.iter().zip(&names).zip(labels::beside(&places, &names, bounds, lines))
-        {
-            let [left, top, right, bottom] = label;
-            // What of the name is nearest, and a line to it where it is far.
-            let end = (place.0.clamp(left, right), place.1.clamp(top, bottom));
-            if (end.0 - place.0).hypot(end.1 - place.1) > 18.0 {
-                let line = [*place, end].map(|(x, y)| (x.round() as i32, y.round() as i32));
-                root.draw(&PathElement::new(line, INK.rgb().mix(0.45)))?;
-            }
-            // The name may be narrower than its box: it stands at the end that is nearer.
-            let (x, anchor) = match place.0 {
-                x if x <= left => (left, HPos::Left),
-                x if x >= right => (right, HPos::Right),
-                _ => ((left + right) / 2.0, HPos::Center),
-            };
-            let middle = (top + bottom) / 2.0;
-            write(root, name, (x.round() as i32, middle.round() as i32), anchor)?;
-        }
-        Ok(())
+        let labels = labels::beside(&places, &names, bounds, lines);
+        let mut named = places.iter().zip(names).zip(labels);
+        named.try_for_each(|((&place, name), label)| write_beside(root, place, name, label))
     })
+}
+
+/// Steps from each point of the front to the next, and their boxes, which names keep clear of. `at` is the pixel at the
+/// `x` of one point and the `y` of another.
+fn front_line(
+    root: &Area<'_>,
+    front: &[usize],
+    at: impl Fn(usize, usize) -> (i32, i32),
+) -> Result<Vec<Box2>, Box<dyn std::error::Error>> {
+    let steps = front.windows(2).flat_map(|two| [at(two[0], two[0]), at(two[1], two[0]), at(two[1], two[1])]);
+    let steps: Vec<(i32, i32)> = steps.collect();
+    let boxes = steps.windows(2).map(|two| along(two[0], two[1])).collect();
+    root.draw(&PathElement::new(steps, Tone::of(0).rgb().stroke_width(2)))?;
+    Ok(boxes)
+}
+
+/// A circle for a mesh, three corners for what is less; filled on the front.
+fn mark(root: &Area<'_>, is_mesh: bool, is_on_front: bool, at: (i32, i32)) -> Drawn {
+    let style = Tone::of(0).rgb();
+    let style = if is_on_front { style.filled() } else { style.stroke_width(2) };
+    if is_mesh {
+        root.draw(&Circle::new(at, 5, style))?;
+    } else {
+        root.draw(&TriangleMarker::new(at, 7, style))?;
+    }
+    Ok(())
+}
+
+/// The name of the point at `place` in the box that was found for it.
+fn write_beside(root: &Area<'_>, place: (f64, f64), name: &str, label: Box2) -> Drawn {
+    let [left, top, right, bottom] = label;
+    // What of the name is nearest, and a line to it where it is far.
+    let end = (place.0.clamp(left, right), place.1.clamp(top, bottom));
+    if (end.0 - place.0).hypot(end.1 - place.1) > 18.0 {
+        let line = [place, end].map(|(x, y)| (x.round() as i32, y.round() as i32));
+        root.draw(&PathElement::new(line, INK.rgb().mix(0.45)))?;
+    }
+    // The name may be narrower than its box: it stands at the end that is nearer.
+    let (x, anchor) = match place.0 {
+        x if x <= left => (left, HPos::Left),
+        x if x >= right => (right, HPos::Right),
+        _ => (f64::midpoint(left, right), HPos::Center),
+    };
+    write(root, name, (x.round() as i32, f64::midpoint(top, bottom).round() as i32), anchor)
 }
 
 /// The box of an upright or level line.
