@@ -17,7 +17,6 @@ mod reads;
 #[path = "../../tests/common/renumbered.rs"]
 mod renumbered;
 mod ring;
-#[allow(dead_code, reason = "shared with tests that use more of it")]
 #[path = "../../tests/common/shapes.rs"]
 mod shapes;
 mod written;
