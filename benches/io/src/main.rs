@@ -9,6 +9,7 @@
 //! ```
 
 mod files;
+#[allow(dead_code, reason = "the shell asks for more")]
 #[path = "../../../cli/src/heap.rs"]
 mod heap;
 mod libraries;

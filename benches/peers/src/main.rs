@@ -5,6 +5,7 @@
 //! the command; `cpp/install.sh` and `cpp/build.sh` add the libraries in C++.
 
 mod expected;
+#[allow(dead_code, reason = "the shell asks for more")]
 #[path = "../../../cli/src/heap.rs"]
 mod heap;
 mod machine;
