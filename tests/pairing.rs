@@ -11,6 +11,19 @@ use onering::{DirectedEdgesSmall, FromFaces, Handle, Pairing, Slot, fans};
 use proptest::prelude::*;
 use random::List;
 
+/// Runs of four faces, each far from the one before: three of four faces are near the next one, which a sample of every
+/// fourth would not see.
+#[test]
+fn a_mesh_in_runs_of_four_is_in_order() {
+    let faces: Vec<[u32; 3]> = (0..1 << 14)
+        .map(|i: u32| {
+            let first = if i.div_ceil(4) % 2 == 0 { i } else { 1_000_000 + i };
+            [first, first + 1, first + 2]
+        })
+        .collect();
+    assert_eq!(Pairing::choose(faces.len(), &faces), Pairing::Chain);
+}
+
 /// Everything that the strategies find alike.
 fn agree((vertices, faces): &List) -> Result<(), TestCaseError> {
     let expected = pair(*vertices, faces, Pairing::Hash).unwrap();
