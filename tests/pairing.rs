@@ -17,7 +17,7 @@ use random::List;
 fn a_mesh_in_runs_of_four_is_in_order() {
     let faces: Vec<[u32; 3]> = (0..1 << 14)
         .map(|i: u32| {
-            let first = if i.div_ceil(4) % 2 == 0 { i } else { 1_000_000 + i };
+            let first = if i.div_ceil(4).is_multiple_of(2) { i } else { 1_000_000 + i };
             [first, first + 1, first + 2]
         })
         .collect();
