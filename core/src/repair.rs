@@ -5,7 +5,7 @@
 //! // Three triangles on one edge, one of them twice.
 //! let faces = [[0, 1, 2], [1, 0, 3], [0, 1, 4], [2, 0, 1]];
 //! let repaired = repair(5, &faces, &RepairOptions::default())?;
-//! assert!(Defects::of(repaired.vertex_count, &repaired.faces).is_clean());
+//! assert!(Defects::of(repaired.vertex_count, &repaired.faces)?.is_clean());
 //! assert_eq!(repaired.dropped.duplicate, [3]);
 //! assert_eq!(repaired.vertex_source, [0, 1, 2, 3, 4, 1, 0, 0, 1]);
 //! assert_eq!(repaired.to_string(), "1 duplicate face dropped, 1 edge cut, 2 vertices cut, 4 vertices added");
@@ -67,16 +67,16 @@ pub fn repair(
     let welded = options.weld.map(weld).transpose()?;
     let source = welded.as_ref().map(|welded| &welded.source[..]);
     let count = source.map_or(vertex_count, <[u32]>::len);
-    let triangles = Triangles::sift(count, &welded_faces(faces, welded.as_ref()));
+    let triangles = Triangles::sift(count, &welded_faces(faces, welded.as_ref()))?;
     let (sheets, duplicate) = without_duplicates(Sheets::join(triangles)?)?;
-    let orientation = Orientation::of(&sheets);
-    let cut = Cut::of(&sheets, &orientation);
+    let orientation = Orientation::of(&sheets)?;
+    let cut = Cut::of(&sheets, &orientation)?;
     let vertex_source = vertex_source(count, source, &cut.copied)?;
     Ok(Repaired {
         vertex_count: vertex_source.len(),
         vertex_source,
         faces: oriented_faces(&sheets, &orientation, &cut, count as u32),
-        flipped: sheets.triangles.sources(&orientation.flipped().collect::<Vec<_>>()),
+        flipped: sheets.triangles.sources(&orientation.flipped().collect::<Vec<_>>())?,
         vertices_welded: vertex_count - count,
         edges_cut: cut.edges_cut,
         seam_edges: orientation.seam_edges,
@@ -109,11 +109,11 @@ fn welded_faces<'a>(faces: &'a [[u32; 3]], welded: Option<&Welded>) -> Cow<'a, [
 
 /// The triangles without copies, and the faces that were copies.
 fn without_duplicates(sheets: Sheets) -> Result<(Sheets, Vec<u32>), BuildError> {
-    let copies = Duplicates::find(&sheets).copies;
+    let copies = Duplicates::find(&sheets)?.copies;
     if copies.is_empty() {
         return Ok((sheets, Vec::new()));
     }
-    let faces = sheets.triangles.sources(&copies);
+    let faces = sheets.triangles.sources(&copies)?;
     Ok((Sheets::join(sheets.into_triangles().without(&copies))?, faces))
 }
 

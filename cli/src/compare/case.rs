@@ -47,7 +47,7 @@ impl Case {
         wanted: Wanted,
     ) -> Result<Self, RepairError> {
         let vertex_count = positions.len();
-        let defects = Defects::of(vertex_count, &faces);
+        let defects = Defects::of(vertex_count, &faces)?;
         let is_clean = defects.is_clean();
         let soup = Soup { vertex_count, faces, is_clean };
         let repaired = if is_clean { None } else { repaired(&soup, positions, wanted)? };

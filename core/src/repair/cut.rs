@@ -8,7 +8,7 @@
 
 use super::orient::Orientation;
 use crate::defects::sheets::Sheets;
-use crate::{HalfEdgeId, Map, Topology, umbrella};
+use crate::{BuildError, HalfEdgeId, Map, Topology, umbrella};
 use alloc::vec::Vec;
 
 /// New vertices for the corners of the triangles.
@@ -24,14 +24,14 @@ pub(crate) struct Cut {
 impl Cut {
     /// Near-linear in the corners. At each vertex the fan with the least corner keeps it; copies are numbered by
     /// the least corners of the other fans.
-    pub(crate) fn of(sheets: &Sheets, orientation: &Orientation) -> Self {
-        let fan = umbrella::joined_by(sheets, orientation.couples(sheets));
+    pub(crate) fn of(sheets: &Sheets, orientation: &Orientation) -> Result<Self, BuildError> {
+        let fan = umbrella::joined_by(sheets, orientation.couples(sheets))?;
         let mut cut = Self { copy: Map::default(), copied: Vec::new(), edges_cut: 0, vertices_cut: 0 };
         cut.copy_vertices(sheets, &fan);
         let paired = sheets.paired().filter(|&(h, g)| cut.parts(sheets, h, g)).count();
         let is_cut = |edge: &&[HalfEdgeId]| edge.iter().any(|&g| cut.parts(sheets, edge[0], g));
         cut.edges_cut = paired + sheets.irregular().filter(is_cut).count();
-        cut
+        Ok(cut)
     }
 
     fn copy_vertices(&mut self, sheets: &Sheets, fan: &Map<HalfEdgeId, HalfEdgeId>) {
