@@ -4,6 +4,7 @@
     reason = "a global allocator is an unsafe trait; this one hands every call on to the system's"
 )]
 use onering::conformance::{self as laws, Flaw};
+use onering::repair::RepairError;
 use onering::*;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -232,9 +233,8 @@ fn refused_each<T>(mut work: impl FnMut() -> Result<T, BuildError>) -> usize {
     unreachable!()
 }
 
-/// Every kind of defect, and lists of them that grow.
-#[test]
-fn defects_are_found_or_there_is_no_memory() {
+/// Every kind of defect, so many that lists of them grow; and the same with numbers far beyond the faces.
+fn defective() -> [(usize, Vec<[u32; 3]>); 2] {
     let torus = laws::torus(12, 10);
     // Six faces more on an edge of each face of the torus, every other one turned.
     let fins = torus.iter().flat_map(|&[a, b, _]| {
@@ -242,12 +242,34 @@ fn defects_are_found_or_there_is_no_memory() {
     });
     let again = torus.iter().take(20).copied();
     let improper = (0..20).flat_map(|i| [[i, i, 0], [i, 0, 1_000_000]]);
-    let mobius = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 0], [4, 0, 1]].map(|face| face.map(|v| v + 200));
+    let moebius = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 0], [4, 0, 1]].map(|face| face.map(|v| v + 200));
     let faces: Vec<_> =
-        torus.iter().copied().chain(again).chain(fins).chain(improper).chain(mobius).collect();
-    let far: Vec<_> = faces.iter().map(|face| face.map(|v| v * 4000)).collect();
-    for (vertex_count, faces) in [(0, &Vec::new()), (300, &faces), (300 * 4000, &far)] {
-        let allocations = refused_each(|| Defects::of(vertex_count, faces));
-        assert!(faces.is_empty() || allocations > 20, "{allocations}");
+        torus.iter().copied().chain(again).chain(fins).chain(improper).chain(moebius).collect();
+    let far = faces.iter().map(|face| face.map(|v| v * 4000)).collect();
+    [(300, faces), (300 * 4000, far)]
+}
+
+#[test]
+fn defects_are_found_or_there_is_no_memory() {
+    assert_eq!(refused_each(|| Defects::of(0, &[])), 0);
+    for (vertex_count, faces) in defective() {
+        assert!(refused_each(|| Defects::of(vertex_count, &faces)) > 20);
     }
+}
+
+#[test]
+fn defects_are_mended_or_there_is_no_memory() {
+    let positions: Vec<_> = (0..300).map(|v| [(v / 2) as f32; 3]).collect();
+    let [(_, faces), far] = defective();
+    let mended = |vertex_count, faces: &[_], weld| {
+        let options = RepairOptions { weld };
+        refused_each(|| {
+            repair(vertex_count, faces, &options).map_err(|error| match error {
+                RepairError::Limit(error) => error,
+                other => panic!("{other}"),
+            })
+        })
+    };
+    assert!(mended(300, &faces, Some(&positions)) > 20);
+    assert!(mended(far.0, &far.1, None) > 20);
 }

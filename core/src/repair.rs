@@ -67,7 +67,7 @@ pub fn repair(
     let welded = options.weld.map(weld).transpose()?;
     let source = welded.as_ref().map(|welded| &welded.source[..]);
     let count = source.map_or(vertex_count, <[u32]>::len);
-    let triangles = Triangles::sift(count, &welded_faces(faces, welded.as_ref()))?;
+    let triangles = Triangles::sift(count, &welded_faces(faces, welded.as_ref())?)?;
     let (sheets, duplicate) = without_duplicates(Sheets::join(triangles)?)?;
     let orientation = Orientation::of(&sheets)?;
     let cut = Cut::of(&sheets, &orientation)?;
@@ -75,8 +75,8 @@ pub fn repair(
     Ok(Repaired {
         vertex_count: vertex_source.len(),
         vertex_source,
-        faces: oriented_faces(&sheets, &orientation, &cut, count as u32),
-        flipped: sheets.triangles.sources(&orientation.flipped().collect::<Vec<_>>())?,
+        faces: oriented_faces(&sheets, &orientation, &cut, count as u32)?,
+        flipped: sheets.triangles.sources(&orientation.flipped()?)?,
         vertices_welded: vertex_count - count,
         edges_cut: cut.edges_cut,
         seam_edges: orientation.seam_edges,
@@ -101,10 +101,13 @@ fn check_positions(vertices: usize, options: &RepairOptions<'_>) -> Result<(), R
 }
 
 /// The faces over the welded vertices. Numbers that were out of range stay, and stay out of range.
-fn welded_faces<'a>(faces: &'a [[u32; 3]], welded: Option<&Welded>) -> Cow<'a, [[u32; 3]]> {
-    let Some(Welded { target, .. }) = welded else { return Cow::Borrowed(faces) };
+fn welded_faces<'a>(
+    faces: &'a [[u32; 3]],
+    welded: Option<&Welded>,
+) -> Result<Cow<'a, [[u32; 3]]>, BuildError> {
+    let Some(Welded { target, .. }) = welded else { return Ok(Cow::Borrowed(faces)) };
     let new = |v: u32| target.get(v as usize).copied().unwrap_or(v);
-    faces.iter().map(|face| face.map(new)).collect::<Vec<_>>().into()
+    Ok(memory::collected(faces.iter().map(|face| face.map(new)))?.into())
 }
 
 /// The triangles without copies, and the faces that were copies.
@@ -132,8 +135,13 @@ fn vertex_source(count: usize, welded: Option<&[u32]>, copied: &[u32]) -> Result
     Ok(source)
 }
 
-fn oriented_faces(sheets: &Sheets, orientation: &Orientation, cut: &Cut, vertex_count: u32) -> Vec<[u32; 3]> {
+fn oriented_faces(
+    sheets: &Sheets,
+    orientation: &Orientation,
+    cut: &Cut,
+    vertex_count: u32,
+) -> Result<Vec<[u32; 3]>, BuildError> {
     let vertices = |f| sheets.face_half_edges(f).map(|h: HalfEdgeId| cut.vertex(sheets, h, vertex_count));
     let turned = |[a, b, c]: [u32; 3], flip| if flip { [a, c, b] } else { [a, b, c] };
-    sheets.faces().map(|f| turned(vertices(f), orientation.flip[f])).collect()
+    memory::collected(sheets.faces().map(|f| turned(vertices(f), orientation.flip[f])))
 }
