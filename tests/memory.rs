@@ -1,9 +1,10 @@
-//! `heap_bytes` is what a backend really takes: its live allocations are counted.
+//! `heap_bytes` is what a backend really takes: its live allocations are counted. Where one is refused, that is an error.
 #![allow(
     unsafe_code,
     reason = "a global allocator is an unsafe trait; this one hands every call on to the system's"
 )]
 use onering::conformance::{self as laws, Flaw};
+use onering::repair::RepairError;
 use onering::*;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -15,6 +16,8 @@ thread_local! {
     static PEAK: Cell<isize> = const { Cell::new(0) };
     /// Bytes that were asked for since this was last set, whether or not they were freed.
     static ASKED: Cell<isize> = const { Cell::new(0) };
+    /// How many more times this thread is given memory.
+    static GRANTED: Cell<usize> = const { Cell::new(usize::MAX) };
 }
 
 struct Counting;
@@ -31,9 +34,23 @@ fn count(bytes: isize) {
     });
 }
 
-// SAFETY: every call goes to `System` as it came, and the counter does not allocate.
+/// Whether memory is given once more.
+fn is_granted() -> bool {
+    let next = |granted: &Cell<usize>| {
+        let left = granted.get();
+        // All that there are is for ever.
+        granted.set(if left == usize::MAX { left } else { left.saturating_sub(1) });
+        left > 0
+    };
+    GRANTED.try_with(next).unwrap_or(true)
+}
+
+// SAFETY: every call goes to `System` as it came or is refused, and the counters do not allocate.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        if !is_granted() {
+            return std::ptr::null_mut();
+        }
         count(layout.size() as isize);
         // SAFETY: the caller's promise.
         unsafe { System.alloc(layout) }
@@ -46,6 +63,9 @@ unsafe impl GlobalAlloc for Counting {
     }
 
     unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        if !is_granted() {
+            return std::ptr::null_mut();
+        }
         count(size as isize - layout.size() as isize);
         // SAFETY: the caller's promise.
         unsafe { System.realloc(block, layout, size) }
@@ -190,4 +210,66 @@ fn adaptors() {
     let (mesh, live) = counted(|| WithOutgoing::new(mesh.clone()).unwrap());
     assert_eq!(live, mesh.heap_bytes());
     assert_eq!(mesh.heap_bytes(), 240 * (3 + 3) * 4 + 120 * 4);
+}
+
+/// Runs `work` with its first allocation refused, then with its second, and so on until none is; gives how many it has.
+/// What allocates as if there always were memory ends the process here.
+fn refused_each<T>(mut work: impl FnMut() -> Result<T, BuildError>) -> usize {
+    for granted in 0.. {
+        let live = LIVE.get();
+        GRANTED.set(granted);
+        let done = work();
+        let left = GRANTED.replace(usize::MAX);
+        match done {
+            Ok(_) if left > 0 => return granted - left,
+            Ok(_) => {}
+            Err(BuildError::OutOfMemory { .. }) => {
+                drop(done);
+                assert_eq!(LIVE.get(), live, "allocation {granted}: what had been taken is freed");
+            }
+            Err(error) => panic!("allocation {granted}: {error}"),
+        }
+    }
+    unreachable!()
+}
+
+/// Every kind of defect, so many that lists of them grow; and the same with numbers far beyond the faces.
+fn defective() -> [(usize, Vec<[u32; 3]>); 2] {
+    let torus = laws::torus(12, 10);
+    // Six faces more on an edge of each face of the torus, every other one turned.
+    let fins = torus.iter().flat_map(|&[a, b, _]| {
+        (0..6).map(move |i| if i % 2 == 0 { [a, b, 120 + i] } else { [b, a, 120 + i] })
+    });
+    let again = torus.iter().take(20).copied();
+    let improper = (0..20).flat_map(|i| [[i, i, 0], [i, 0, 1_000_000]]);
+    let moebius = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 0], [4, 0, 1]].map(|face| face.map(|v| v + 200));
+    let faces: Vec<_> =
+        torus.iter().copied().chain(again).chain(fins).chain(improper).chain(moebius).collect();
+    let far = faces.iter().map(|face| face.map(|v| v * 4000)).collect();
+    [(300, faces), (300 * 4000, far)]
+}
+
+#[test]
+fn defects_are_found_or_there_is_no_memory() {
+    assert_eq!(refused_each(|| Defects::of(0, &[])), 0);
+    for (vertex_count, faces) in defective() {
+        assert!(refused_each(|| Defects::of(vertex_count, &faces)) > 20);
+    }
+}
+
+#[test]
+fn defects_are_mended_or_there_is_no_memory() {
+    let positions: Vec<_> = (0..300).map(|v| [(v / 2) as f32; 3]).collect();
+    let [(_, faces), far] = defective();
+    let mended = |vertex_count, faces: &[_], weld| {
+        let options = RepairOptions { weld };
+        refused_each(|| {
+            repair(vertex_count, faces, &options).map_err(|error| match error {
+                RepairError::Limit(error) => error,
+                other => panic!("{other}"),
+            })
+        })
+    };
+    assert!(mended(300, &faces, Some(&positions)) > 20);
+    assert!(mended(far.0, &far.1, None) > 20);
 }

@@ -15,12 +15,12 @@ use std::sync::LazyLock;
 #[test]
 fn defects_are_those_of_the_manifest() {
     for Real { name, mesh, figures } in &*MESHES {
-        compare(name, &Defects::of(mesh.positions.len(), &mesh.faces), &figures["topology"]);
+        compare(name, &Defects::of(mesh.positions.len(), &mesh.faces).unwrap(), &figures["topology"]);
         let welded = weld(&mesh.positions).unwrap();
         if figures["welded"].is_object() {
             let faces: Vec<_> =
                 mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();
-            compare(name, &Defects::of(welded.source.len(), &faces), &figures["welded"]);
+            compare(name, &Defects::of(welded.source.len(), &faces).unwrap(), &figures["welded"]);
         } else {
             assert_eq!(welded.source.len(), mesh.positions.len(), "{name}: no two vertices share a position");
         }
@@ -88,7 +88,7 @@ fn opposites(name: &str, faces: &[[u32; 3]]) -> Vec<Option<usize>> {
 #[test]
 fn repaired_meshes_are_manifold_with_all_area_accounted_for() {
     for Mended { name, of, repaired, .. } in &*MENDED {
-        let after = Defects::of(repaired.vertex_count, &repaired.faces);
+        let after = Defects::of(repaired.vertex_count, &repaired.faces).unwrap();
         assert!(after.manifold && after.is_clean() && after.duplicate_faces == 0, "{name}: {after}");
         let mesh = &of.mesh;
         let dropped = &repaired.dropped;

@@ -1,7 +1,7 @@
 //! Turns of tables that own their columns do not check bounds at each step, so what they rely on has to be seen before
-//! there is a table, whoever the columns come from.
+//! there is a table, whoever the columns come from. Tables that borrow them are made of any columns, and check.
 use onering::columns::{Columns, FromColumns, Invalid, Source};
-use onering::storage::{Element, Owned};
+use onering::storage::{Borrowed, Element, Owned};
 use onering::{CheL1, CheL2, CheL3, DirectedEdgesFull, DirectedEdgesMedium, DirectedEdgesSmall, FromFaces};
 use onering::{Handle, Incidence, VertexId};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -92,4 +92,72 @@ fn begins_with_none_that_exists<
 fn turns_begin_with_a_half_edge_that_exists() {
     begins_with_none_that_exists::<CheL2>();
     begins_with_none_that_exists::<DirectedEdgesSmall>();
+}
+
+/// Columns that are parts of longer lists: what a turn reads beyond one is no link, and nothing that ends the process.
+struct Parts(Words);
+
+impl Parts {
+    fn of(mesh: &impl Columns) -> Self {
+        let mut words = Words::of(mesh);
+        words.columns.iter_mut().for_each(|(_, column)| column.extend([u32::MAX; 12]));
+        Self(words)
+    }
+}
+
+impl<'a> Source<Borrowed<'a>> for &'a Parts {
+    fn vertex_count(&self) -> usize {
+        self.0.counts.0
+    }
+
+    fn face_count(&self) -> usize {
+        self.0.counts.1
+    }
+
+    fn column<T: Element>(&self, name: &'static str, length: Option<usize>) -> Result<&'a [T], Invalid> {
+        let column = self.0.columns.iter().find(|column| column.0 == name);
+        let (_, words) = column.ok_or(Invalid::Missing { column: name })?;
+        Ok(bytemuck::cast_slice(&words[..length.unwrap_or(words.len() - 12)]))
+    }
+}
+
+/// Each link in turn leads to each half-edge of a face that is not there: the first turn that comes by panics.
+fn checks_each_step<M: FromColumns + FromFaces>(links: &str)
+where
+    for<'a> M::Over<Borrowed<'a>>: Incidence<Vertex = VertexId>,
+{
+    let mesh = M::from_faces(4, &[[0, 1, 2], [2, 1, 3]]).unwrap();
+    for (cell, half_edge) in (0..6).flat_map(|cell| [6, 7, 8].map(|half_edge| (cell, half_edge))) {
+        let mut parts = Parts::of(&mesh);
+        panics_in_turns(&M::from_columns(&&parts).unwrap(), None);
+        parts.0.column_mut(links)[cell] = half_edge;
+        panics_in_turns(&M::from_columns(&&parts).unwrap(), Some((links, cell)));
+    }
+}
+
+/// Whether each kind of turn panics around some vertex, which it shall only where a cell is bad.
+fn panics_in_turns<M: Incidence<Vertex = VertexId>>(mesh: &M, bad: Option<(&str, usize)>) {
+    let turns: [fn(&M, VertexId) -> usize; 3] = [
+        |mesh, v| mesh.one_ring(v).count(),
+        |mesh, v| mesh.star(v).count(),
+        |mesh, v| mesh.neighbours(v).count(),
+    ];
+    for turn in turns {
+        let around = |v| catch_unwind(AssertUnwindSafe(|| turn(mesh, v)));
+        let messages: Vec<_> = mesh.vertices().filter_map(|v| around(v).err()).collect();
+        assert_eq!(!messages.is_empty(), bad.is_some(), "{bad:?}");
+        for message in messages {
+            let message = message.downcast_ref::<String>().expect("a message");
+            assert!(message.starts_with("index out of bounds: the len is 6"), "{bad:?}: {message}");
+        }
+    }
+}
+
+#[test]
+fn turns_of_borrowed_tables_check_each_step() {
+    checks_each_step::<CheL2>("opposite");
+    checks_each_step::<CheL3>("opposite");
+    checks_each_step::<DirectedEdgesSmall>("rotate_ccw");
+    checks_each_step::<DirectedEdgesMedium>("rotate_ccw");
+    checks_each_step::<DirectedEdgesFull>("rotate_ccw");
 }

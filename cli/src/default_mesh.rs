@@ -74,7 +74,7 @@ mod tests {
     #[test]
     fn one_is_closed_and_two_have_ten_boundaries() {
         let [small, sphere, terrain] = all().map(|(_, mesh)| mesh);
-        let figures = |made: &Triangles| Defects::of(made.positions.len(), &made.faces);
+        let figures = |made: &Triangles| Defects::of(made.positions.len(), &made.faces).unwrap();
         assert_eq!((sphere.positions.len(), sphere.faces.len()), (40_962, 81_920));
         assert_eq!(terrain.faces.len(), 2 * (204 * 204 - 9 * 64));
         assert_eq!(small.faces.len(), 2 * (33 * 33 - 9 * 4));

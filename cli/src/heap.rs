@@ -2,7 +2,9 @@
 //!
 //! Two relaxed counters: no allocation waits for another. The timed kernels but for building hardly allocate.
 
+use onering::{BuildError, memory};
 use std::alloc::{GlobalAlloc, Layout, System};
+use std::hint::black_box;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 static HEAP: Counters = Counters::new();
@@ -28,6 +30,12 @@ pub(crate) fn growth<T>(work: impl FnOnce() -> T) -> (T, Growth) {
 /// Drops `value` and tells how many bytes of the heap that freed; as for [`growth`], no other thread allocates meanwhile.
 pub(crate) fn freed<T>(value: T) -> usize {
     HEAP.freed(value)
+}
+
+/// An error where so many bytes more cannot be had. To be asked before what would end the process without them.
+pub(crate) fn has_room(bytes: usize) -> Result<(), BuildError> {
+    // What nobody looks at might not be allocated at all.
+    memory::with_room::<u8>(bytes).map(|room| drop(black_box(room)))
 }
 
 /// Bytes that are held, and the most that were.

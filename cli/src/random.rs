@@ -1,5 +1,7 @@
 //! Random numbers, the same at every run.
 
+use onering::{BuildError, Handle, memory};
+
 /// SplitMix64 (Steele et al. 2014).
 #[derive(Debug)]
 pub(crate) struct Random(pub(crate) u64);
@@ -10,13 +12,13 @@ impl Random {
         scramble(self.0)
     }
 
-    /// The numbers below `count`, each once, in any order (Fisher and Yates, by Durstenfeld 1964).
-    pub(crate) fn permutation(&mut self, count: usize) -> Vec<usize> {
-        let mut numbers: Vec<usize> = (0..count).collect();
+    /// The handles below `count`, each once, in any order (Fisher and Yates, by Durstenfeld 1964).
+    pub(crate) fn permutation<H: Handle>(&mut self, count: usize) -> Result<Vec<H>, BuildError> {
+        let mut handles = memory::collected((0..count).map(H::new))?;
         for i in (1..count).rev() {
-            numbers.swap(i, self.below(i + 1));
+            handles.swap(i, self.below(i + 1));
         }
-        numbers
+        Ok(handles)
     }
 
     /// Below `bound`, by the high part of a product: no bias that could matter here.

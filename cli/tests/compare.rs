@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{FAN, SQUARE, onering, renumbering, scratch};
+use common::{FAN, SQUARE, fresh, onering, onering_within, plane, renumbering, scratch};
 use onering::registry::{BACKENDS, COMPRESSED, RENUMBERING};
 use serde_json::Value;
 use std::ffi::OsString;
@@ -327,4 +327,22 @@ fn what_renumbers_is_not_deformed() {
         assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (Some(2), "", 1), "{run:?}");
         assert!(run.err.contains(&format!("--deform does not measure {name}")), "{run:?}");
     }
+}
+
+/// A million triangles, with less and less memory beyond what they take themselves.
+#[test]
+fn a_large_mesh_in_too_little_memory_is_no_abort() {
+    let file = fresh("little_memory", "plane.obj", &plane(708));
+    let args = ["compare", "--budget=0", "--backend=directed-edges-small", file.to_str().unwrap()];
+    for megabytes in (72..=112).step_by(4) {
+        let run = onering_within(megabytes, args);
+        match run.code {
+            Some(0) => assert_eq!(run.err, "", "{megabytes} MB: {run:?}"),
+            code => {
+                assert_eq!((code, run.err.lines().count()), (Some(2), 1), "{megabytes} MB: {run:?}");
+                assert!(run.err.contains("no memory for a table of"), "{megabytes} MB: {run:?}");
+            }
+        }
+    }
+    std::fs::remove_file(file).unwrap();
 }

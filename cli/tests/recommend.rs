@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{FAN, SQUARE, fresh, onering, onering_in_little_memory, renumbering};
+use common::{FAN, SQUARE, fresh, onering, onering_in_little_memory, plane, renumbering};
 use onering::registry::{BACKENDS, RENUMBERING};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -215,14 +215,7 @@ fn what_cannot_be_measured_is_said() {
 /// 1.6 million triangles, of which what is held before anything is measured is a few times the mesh at most.
 #[test]
 fn a_large_mesh_in_little_memory_is_no_abort() {
-    let side = 900;
-    let vertices = (0..side * side).map(|v| format!("v {} {} 0\n", v % side, v / side));
-    let corners = (1..side).flat_map(|y| (1..side).map(move |x| (y - 1) * side + x));
-    let faces = corners.map(|v| {
-        let [a, b, c, d] = [v, v + 1, v + side + 1, v + side];
-        format!("f {a} {b} {c}\nf {a} {c} {d}\n")
-    });
-    let file = fresh("little_memory", "plain.obj", &vertices.chain(faces).collect::<String>());
+    let file = fresh("little_memory", "plane.obj", &plane(900));
     let run = onering_in_little_memory(["recommend", "--budget=0", "--memory=100M", file.to_str().unwrap()]);
     std::fs::remove_file(file).unwrap();
     match run.code {

@@ -118,6 +118,9 @@ pub fn vertices<M: Adjacency + ?Sized>(mesh: &M) -> Map<M::Vertex, bool> {
 /// assert_eq!(boundary::loops(&Mesh::from_faces(5, &three_at_an_edge)?), None);
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Panics
+/// If memory does not suffice.
 pub fn loops<M: Adjacency + ?Sized>(mesh: &M) -> Option<usize> {
     let mut boundary = mesh.half_edges().filter(|&h| mesh.is_boundary(h));
     if boundary.all(|h| next_along(mesh, h).is_some()) {
@@ -128,7 +131,7 @@ pub fn loops<M: Adjacency + ?Sized>(mesh: &M) -> Option<usize> {
 
 fn loops_by_umbrella<M: Adjacency + ?Sized>(mesh: &M) -> Option<usize> {
     let umbrella = umbrella::umbrellas(mesh);
-    let mut loops = DisjointSets::new(mesh.half_edge_bound());
+    let mut loops = DisjointSets::new(mesh.half_edge_bound()).unwrap_or_else(|error| panic!("{error}"));
     // How many boundary edges end in each umbrella, and the last of them.
     let mut ends: Map<M::HalfEdge, (u8, Slot<M::HalfEdge>)> =
         Map::filled(mesh.half_edge_bound(), (0, Slot::NONE));

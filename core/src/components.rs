@@ -1,5 +1,5 @@
 //! Connected components of faces.
-use crate::{Adjacency, Handle, Map, Slot, Topology, disjoint_sets::DisjointSets, edges};
+use crate::{Adjacency, BuildError, Handle, Map, Slot, Topology, disjoint_sets::DisjointSets, edges, memory};
 use alloc::{vec, vec::Vec};
 
 /// A partition of the faces: what [`components`] and [`components_by_vertex`] give. Components are numbered
@@ -30,14 +30,14 @@ impl<F: Handle> Components<F> {
     }
 
     /// Numbers sets of faces, each told at its least.
-    fn number(face_count: usize, mut least: impl FnMut(F) -> F) -> Self {
-        let (mut of, mut count) = (Map::filled(face_count, 0), 0);
+    fn number(face_count: usize, mut least: impl FnMut(F) -> F) -> Result<Self, BuildError> {
+        let (mut of, mut count): (Map<F, u32>, u32) = (memory::filled(face_count, 0)?.into(), 0);
         for f in (0..face_count).map(F::new) {
             let first = least(f);
             of[f] = if first == f { count } else { of[first] };
             count += u32::from(first == f);
         }
-        Self { of, count: count as usize }
+        Ok(Self { of, count: count as usize })
     }
 }
 
@@ -56,16 +56,20 @@ impl<F: Handle> Components<F> {
 /// assert_eq!(mesh.faces().map(|f| parts.of(f)).collect::<Vec<_>>(), [0, 1, 0]);
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Panics
+/// If memory does not suffice.
 pub fn components<M: Adjacency + ?Sized>(mesh: &M) -> Components<M::Face> {
-    joined_by(mesh, edges::each(mesh).flat_map(|h| mesh.edge_fan(h).skip(1).map(move |g| (h, g))))
+    let couples = edges::each(mesh).flat_map(|h| mesh.edge_fan(h).skip(1).map(move |g| (h, g)));
+    joined_by(mesh, couples).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The components where faces hang together by these couples of half-edges only.
 pub(crate) fn joined_by<M: Topology + ?Sized>(
     mesh: &M,
     couples: impl Iterator<Item = (M::HalfEdge, M::HalfEdge)>,
-) -> Components<M::Face> {
-    let mut sets = DisjointSets::new(mesh.face_count());
+) -> Result<Components<M::Face>, BuildError> {
+    let mut sets = DisjointSets::new(mesh.face_count())?;
     couples.for_each(|(h, g)| sets.join(mesh.face(h), mesh.face(g)));
     Components::number(mesh.face_count(), |f| sets.least(f))
 }
@@ -80,14 +84,22 @@ pub(crate) fn joined_by<M: Topology + ?Sized>(
 /// assert_eq!(components::components_by_vertex(&mesh).count(), 1);
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Panics
+/// If memory does not suffice.
 pub fn components_by_vertex<M: Topology + ?Sized>(mesh: &M) -> Components<M::Face> {
-    let mut sets = DisjointSets::new(mesh.vertex_count());
+    joined_by_vertices(mesh).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The same, where there may not be the memory.
+pub(crate) fn joined_by_vertices<M: Topology + ?Sized>(mesh: &M) -> Result<Components<M::Face>, BuildError> {
+    let mut sets = DisjointSets::new(mesh.vertex_count())?;
     for f in mesh.faces() {
         let [a, b, c] = mesh.face_vertices(f);
         sets.join(a, b);
         sets.join(a, c);
     }
-    let mut first: Map<M::Vertex, Slot<M::Face>> = Map::filled(mesh.vertex_count(), Slot::NONE);
+    let mut first: Map<M::Vertex, Slot<M::Face>> = memory::filled(mesh.vertex_count(), Slot::NONE)?.into();
     let vertex = |f| mesh.origin(mesh.first(f));
     Components::number(mesh.face_count(), |f| {
         let first = &mut first[sets.least(vertex(f))];

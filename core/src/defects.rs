@@ -5,11 +5,12 @@
 //!
 //! ```
 //! use onering_core::defects::Defects;
-//! let bowtie = Defects::of(5, &[[0, 1, 2], [0, 3, 4]]);
+//! let bowtie = Defects::of(5, &[[0, 1, 2], [0, 3, 4]])?;
 //! assert_eq!((bowtie.components, bowtie.components_by_vertex, bowtie.boundary_loops), (2, 1, Some(2)));
 //! assert_eq!(bowtie.lists.bowtie_vertices, [0]);
 //! assert_eq!(bowtie.degrees.iter().collect::<Vec<_>>(), [(2, 4), (4, 1)]);
 //! assert_eq!(bowtie.to_string(), "1 bowtie vertex");
+//! # Ok::<(), onering_core::BuildError>(())
 //! ```
 
 mod boundary;
@@ -28,7 +29,8 @@ pub use triangles::MAX_FACES;
 pub use verdict::Obstacle;
 
 use crate::degrees::Degrees;
-use crate::{HalfEdgeId, Map, Topology, components, euler, umbrella};
+use crate::pairing::check_counts;
+use crate::{BuildError, HalfEdgeId, Map, Topology, components, euler, umbrella};
 use duplicates::Duplicates;
 use lists::EdgeFaults;
 use patches::Patches;
@@ -108,37 +110,40 @@ impl Defects {
     ///
     /// Near-linear time and linear memory in the faces, whatever the vertex count.
     ///
-    /// # Panics
-    /// Only if there are more than [`MAX_FACES`] faces, a list of 17 GB, or no memory.
-    pub fn of(vertex_count: usize, faces: &[[u32; 3]]) -> Self {
-        assert!(faces.len() <= MAX_FACES, "half-edges are numbered by u32");
-        let sheets = Sheets::join(Triangles::sift(vertex_count, faces)).expect("memory for the opposites");
+    /// # Errors
+    /// [`BuildError::OutOfMemory`], or [`BuildError::TooManyHalfEdges`] for more than [`MAX_FACES`] faces, a list of
+    /// 17 GB; no list of faces is an error for what it holds.
+    pub fn of(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Self, BuildError> {
+        // However many vertices: those that no face names take no memory, and have no handles.
+        check_counts(0, faces.len(), 3 * MAX_FACES)?;
+        let sheets = Sheets::join(Triangles::sift(vertex_count, faces)?)?;
         let mut defects = Self::default();
-        defects.add_duplicates(&sheets);
-        defects.add_edges(&sheets);
-        let umbrella = umbrella::joined_by(&sheets, sheets.couples());
-        defects.add_vertices(vertex_count, Vertices::of(&sheets, &umbrella), &sheets);
-        defects.add_boundary(&sheets, &umbrella);
+        defects.add_duplicates(&sheets)?;
+        defects.add_edges(&sheets)?;
+        let umbrella = umbrella::joined_by(&sheets, sheets.couples())?;
+        defects.add_vertices(vertex_count, Vertices::of(&sheets, &umbrella)?, &sheets)?;
+        defects.add_boundary(&sheets, &umbrella)?;
         drop(umbrella);
-        defects.add_patches(&sheets);
-        defects.add_surface(&sheets);
+        defects.add_patches(&sheets)?;
+        defects.add_surface(&sheets)?;
         let Triangles { out_of_range, degenerate, .. } = sheets.triangles;
         defects.out_of_range_faces = out_of_range.len();
         defects.degenerate_faces = degenerate.len();
         defects.lists.out_of_range_faces = out_of_range;
         defects.lists.degenerate_faces = degenerate;
-        defects
+        Ok(defects)
     }
 
-    fn add_duplicates(&mut self, sheets: &Sheets) {
-        let found = Duplicates::find(sheets);
+    fn add_duplicates(&mut self, sheets: &Sheets) -> Result<(), BuildError> {
+        let found = Duplicates::find(sheets)?;
         self.duplicate_faces = found.copies.len();
         self.duplicate_faces_same_orientation = found.same_orientation;
-        self.lists.duplicate_faces = sheets.triangles.sources(&found.copies);
+        self.lists.duplicate_faces = sheets.triangles.sources(&found.copies)?;
+        Ok(())
     }
 
-    fn add_edges(&mut self, sheets: &Sheets) {
-        let faults = EdgeFaults::of(sheets);
+    fn add_edges(&mut self, sheets: &Sheets) -> Result<(), BuildError> {
+        let faults = EdgeFaults::of(sheets)?;
         self.edges = sheets.edges().count();
         self.boundary_edges = sheets.alone().count();
         self.max_faces_per_edge = sheets.max_faces_per_edge();
@@ -148,9 +153,15 @@ impl Defects {
         self.lists.nonmanifold_edges = faults.nonmanifold;
         self.lists.inconsistent_edges = faults.inconsistent;
         self.lists.repeated_halfedges = faults.repeated;
+        Ok(())
     }
 
-    fn add_vertices(&mut self, vertex_count: usize, vertices: Vertices, sheets: &Sheets) {
+    fn add_vertices(
+        &mut self,
+        vertex_count: usize,
+        vertices: Vertices,
+        sheets: &Sheets,
+    ) -> Result<(), BuildError> {
         let used = vertices.valence.as_slice().iter().filter(|&&n| n > 0);
         let used_count = used.clone().count();
         self.isolated_vertices = vertex_count - used_count;
@@ -158,36 +169,44 @@ impl Defects {
         self.bowtie_vertices = vertices.bowties.len();
         self.nonmanifold_vertices = vertices.nonmanifold.len();
         self.manifold = vertices.nonmanifold.is_empty();
-        self.degrees = Degrees::of(self.isolated_vertices, used.map(|&n| n as usize));
+        self.degrees = Degrees::of(self.isolated_vertices, used.map(|&n| n as usize))?;
         self.valence_min = self.degrees.min().unwrap_or(0);
         self.valence_max = self.degrees.max().unwrap_or(0);
         self.max_faces_per_vertex = vertices.max_faces;
-        self.lists.isolated_vertices = sheets.triangles.unused(vertex_count, |v| vertices.valence[v] > 0);
+        self.lists.isolated_vertices = sheets.triangles.unused(vertex_count, |v| vertices.valence[v] > 0)?;
         self.lists.bowtie_vertices = vertices.bowties;
         self.lists.nonmanifold_vertices = vertices.nonmanifold;
+        Ok(())
     }
 
-    fn add_boundary(&mut self, sheets: &Sheets, umbrella: &Map<HalfEdgeId, HalfEdgeId>) {
-        self.boundary_components = boundary::components(sheets);
-        self.boundary_loops = boundary::loops(sheets, umbrella);
+    fn add_boundary(
+        &mut self,
+        sheets: &Sheets,
+        umbrella: &Map<HalfEdgeId, HalfEdgeId>,
+    ) -> Result<(), BuildError> {
+        self.boundary_components = boundary::components(sheets)?;
+        self.boundary_loops = boundary::loops(sheets, umbrella)?;
         self.closed = self.boundary_edges == 0 && sheets.face_count() > 0;
+        Ok(())
     }
 
-    fn add_patches(&mut self, sheets: &Sheets) {
-        let patches = Patches::of(sheets);
+    fn add_patches(&mut self, sheets: &Sheets) -> Result<(), BuildError> {
+        let patches = Patches::of(sheets)?;
         self.patches = patches.count;
         self.min_flips = patches.min_flips;
         self.nonorientable_patches = patches.nonorientable.len();
         self.orientable = patches.nonorientable.is_empty();
-        self.lists.nonorientable_patches = sheets.triangles.sources(&patches.nonorientable);
+        self.lists.nonorientable_patches = sheets.triangles.sources(&patches.nonorientable)?;
+        Ok(())
     }
 
-    fn add_surface(&mut self, sheets: &Sheets) {
-        self.components = components::joined_by(sheets, sheets.couples()).count();
-        self.components_by_vertex = components::components_by_vertex(sheets).count();
+    fn add_surface(&mut self, sheets: &Sheets) -> Result<(), BuildError> {
+        self.components = components::joined_by(sheets, sheets.couples())?.count();
+        self.components_by_vertex = components::joined_by_vertices(sheets)?.count();
         if self.manifold && self.orientable && sheets.face_count() > 0 {
             let genus = |loops| euler::genus_of(self.components, loops, self.euler as isize);
             self.genus = self.boundary_loops.and_then(genus);
         }
+        Ok(())
     }
 }

@@ -1,5 +1,5 @@
 //! How many vertices have how many neighbours.
-use crate::{Handle, neighbours::Neighbours};
+use crate::{BuildError, Handle, memory, neighbours::Neighbours};
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -20,15 +20,20 @@ impl Degrees {
     }
 
     /// Counts vertices by their degrees, and so many isolated ones beside.
-    pub(crate) fn of(isolated: usize, degrees: impl Iterator<Item = usize>) -> Self {
-        let mut counts = Vec::from_iter((isolated > 0).then_some(isolated));
+    pub(crate) fn of(isolated: usize, degrees: impl Iterator<Item = usize>) -> Result<Self, BuildError> {
+        let mut counts = Vec::new();
+        if isolated > 0 {
+            memory::push(&mut counts, isolated)?;
+        }
         for degree in degrees {
             if counts.len() <= degree {
+                let missing = degree + 1 - counts.len();
+                memory::reserve(&mut counts, missing)?;
                 counts.resize(degree + 1, 0);
             }
             counts[degree] += 1;
         }
-        Self { counts }
+        Ok(Self { counts })
     }
 
     /// Every degree that some vertex has, ascending, with the number of such vertices; 0 stands for the
@@ -96,6 +101,10 @@ impl fmt::Display for Degrees {
 /// assert_eq!(degrees.mean(), Some(2.5));
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Panics
+/// If memory does not suffice.
 pub fn degrees<G: Neighbours + ?Sized>(graph: &G) -> Degrees {
-    Degrees::of(0, (0..graph.node_count()).map(|v| graph.neighbours(G::Node::new(v)).count()))
+    let degrees = (0..graph.node_count()).map(|v| graph.neighbours(G::Node::new(v)).count());
+    Degrees::of(0, degrees).unwrap_or_else(|error| panic!("{error}"))
 }

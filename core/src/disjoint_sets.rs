@@ -1,5 +1,5 @@
 //! Disjoint sets of handles, plain and with a parity: what counting components and orienting patches rest on.
-use crate::{Handle, Map};
+use crate::{BuildError, Handle, Map, memory};
 
 /// A partition of the handles below a count, at first each on its own; a set is named by its least member.
 ///
@@ -10,8 +10,8 @@ pub(crate) struct DisjointSets<H> {
 }
 
 impl<H: Handle> DisjointSets<H> {
-    pub(crate) fn new(count: usize) -> Self {
-        Self { parent: Map::from_fn(count, |h| h) }
+    pub(crate) fn new(count: usize) -> Result<Self, BuildError> {
+        Ok(Self { parent: memory::collected((0..count).map(H::new))?.into() })
     }
 
     /// The least member of the set of `h`.
@@ -67,9 +67,10 @@ pub(crate) enum Joined {
 
 impl<H: Handle> ParitySets<H> {
     /// All even. `count` is at most 2^31; there are fewer faces than that.
-    pub(crate) fn new(count: usize) -> Self {
+    pub(crate) fn new(count: usize) -> Result<Self, BuildError> {
         debug_assert!(count <= 1 << 31);
-        Self { link: Map::from_fn(count, |h: H| 2 * h.index() as u32), count }
+        let link = memory::collected((0..count).map(|i| 2 * i as u32))?.into();
+        Ok(Self { link, count })
     }
 
     /// The least member of the set of `h`, and whether `h` is odd in respect of it.
@@ -114,7 +115,7 @@ mod tests {
     #[test]
     fn the_least_member_names_the_set() {
         let f = FaceId::new;
-        let mut sets = DisjointSets::new(6);
+        let mut sets = DisjointSets::new(6).unwrap();
         for (a, b) in [(5, 3), (3, 1), (5, 1)] {
             sets.join(f(a), f(b));
         }
@@ -125,7 +126,7 @@ mod tests {
     #[test]
     fn parities_add_up_along_a_path() {
         let f = FaceId::new;
-        let mut sets = ParitySets::new(5);
+        let mut sets = ParitySets::new(5).unwrap();
         for x in (0..4).rev() {
             assert_eq!(sets.join(f(x), f(x + 1), true), Joined::Merged);
         }

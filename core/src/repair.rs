@@ -5,7 +5,7 @@
 //! // Three triangles on one edge, one of them twice.
 //! let faces = [[0, 1, 2], [1, 0, 3], [0, 1, 4], [2, 0, 1]];
 //! let repaired = repair(5, &faces, &RepairOptions::default())?;
-//! assert!(Defects::of(repaired.vertex_count, &repaired.faces).is_clean());
+//! assert!(Defects::of(repaired.vertex_count, &repaired.faces)?.is_clean());
 //! assert_eq!(repaired.dropped.duplicate, [3]);
 //! assert_eq!(repaired.vertex_source, [0, 1, 2, 3, 4, 1, 0, 0, 1]);
 //! assert_eq!(repaired.to_string(), "1 duplicate face dropped, 1 edge cut, 2 vertices cut, 4 vertices added");
@@ -67,16 +67,16 @@ pub fn repair(
     let welded = options.weld.map(weld).transpose()?;
     let source = welded.as_ref().map(|welded| &welded.source[..]);
     let count = source.map_or(vertex_count, <[u32]>::len);
-    let triangles = Triangles::sift(count, &welded_faces(faces, welded.as_ref()));
+    let triangles = Triangles::sift(count, &welded_faces(faces, welded.as_ref())?)?;
     let (sheets, duplicate) = without_duplicates(Sheets::join(triangles)?)?;
-    let orientation = Orientation::of(&sheets);
-    let cut = Cut::of(&sheets, &orientation);
+    let orientation = Orientation::of(&sheets)?;
+    let cut = Cut::of(&sheets, &orientation)?;
     let vertex_source = vertex_source(count, source, &cut.copied)?;
     Ok(Repaired {
         vertex_count: vertex_source.len(),
         vertex_source,
-        faces: oriented_faces(&sheets, &orientation, &cut, count as u32),
-        flipped: sheets.triangles.sources(&orientation.flipped().collect::<Vec<_>>()),
+        faces: oriented_faces(&sheets, &orientation, &cut, count as u32)?,
+        flipped: sheets.triangles.sources(&orientation.flipped()?)?,
         vertices_welded: vertex_count - count,
         edges_cut: cut.edges_cut,
         seam_edges: orientation.seam_edges,
@@ -101,19 +101,22 @@ fn check_positions(vertices: usize, options: &RepairOptions<'_>) -> Result<(), R
 }
 
 /// The faces over the welded vertices. Numbers that were out of range stay, and stay out of range.
-fn welded_faces<'a>(faces: &'a [[u32; 3]], welded: Option<&Welded>) -> Cow<'a, [[u32; 3]]> {
-    let Some(Welded { target, .. }) = welded else { return Cow::Borrowed(faces) };
+fn welded_faces<'a>(
+    faces: &'a [[u32; 3]],
+    welded: Option<&Welded>,
+) -> Result<Cow<'a, [[u32; 3]]>, BuildError> {
+    let Some(Welded { target, .. }) = welded else { return Ok(Cow::Borrowed(faces)) };
     let new = |v: u32| target.get(v as usize).copied().unwrap_or(v);
-    faces.iter().map(|face| face.map(new)).collect::<Vec<_>>().into()
+    Ok(memory::collected(faces.iter().map(|face| face.map(new)))?.into())
 }
 
 /// The triangles without copies, and the faces that were copies.
 fn without_duplicates(sheets: Sheets) -> Result<(Sheets, Vec<u32>), BuildError> {
-    let copies = Duplicates::find(&sheets).copies;
+    let copies = Duplicates::find(&sheets)?.copies;
     if copies.is_empty() {
         return Ok((sheets, Vec::new()));
     }
-    let faces = sheets.triangles.sources(&copies);
+    let faces = sheets.triangles.sources(&copies)?;
     Ok((Sheets::join(sheets.into_triangles().without(&copies))?, faces))
 }
 
@@ -132,8 +135,13 @@ fn vertex_source(count: usize, welded: Option<&[u32]>, copied: &[u32]) -> Result
     Ok(source)
 }
 
-fn oriented_faces(sheets: &Sheets, orientation: &Orientation, cut: &Cut, vertex_count: u32) -> Vec<[u32; 3]> {
+fn oriented_faces(
+    sheets: &Sheets,
+    orientation: &Orientation,
+    cut: &Cut,
+    vertex_count: u32,
+) -> Result<Vec<[u32; 3]>, BuildError> {
     let vertices = |f| sheets.face_half_edges(f).map(|h: HalfEdgeId| cut.vertex(sheets, h, vertex_count));
     let turned = |[a, b, c]: [u32; 3], flip| if flip { [a, c, b] } else { [a, b, c] };
-    sheets.faces().map(|f| turned(vertices(f), orientation.flip[f])).collect()
+    memory::collected(sheets.faces().map(|f| turned(vertices(f), orientation.flip[f])))
 }

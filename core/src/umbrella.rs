@@ -4,7 +4,7 @@
 //! [`Incidence::fans`](crate::Incidence::fans). Unlike those, an umbrella goes on across two faces that
 //! disagree in orientation and across edges of three or more faces, so it says whether a surface is manifold
 //! whatever its orientation.
-use crate::{Adjacency, Map, Topology, disjoint_sets::DisjointSets, edges};
+use crate::{Adjacency, BuildError, Map, Topology, disjoint_sets::DisjointSets, edges};
 
 /// For each half-edge, the least half-edge of the umbrella that it belongs to: those from the same vertex whose
 /// faces are reached from its own by edges at that vertex. Where handles have gaps, a gap is on its own.
@@ -18,22 +18,26 @@ use crate::{Adjacency, Map, Topology, disjoint_sets::DisjointSets, edges};
 /// assert_eq!(bowtie.half_edges().filter(|&h| umbrella[h] == h).count(), 6); // five vertices, two of them at v0
 /// # Ok::<(), onering_core::BuildError>(())
 /// ```
+///
+/// # Panics
+/// If memory does not suffice.
 pub fn umbrellas<M: Adjacency + ?Sized>(mesh: &M) -> Map<M::HalfEdge, M::HalfEdge> {
-    joined_by(mesh, edges::each(mesh).flat_map(|h| mesh.edge_fan(h).skip(1).map(move |g| (h, g))))
+    let couples = edges::each(mesh).flat_map(|h| mesh.edge_fan(h).skip(1).map(move |g| (h, g)));
+    joined_by(mesh, couples).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The umbrellas where faces hang together by these couples of half-edges only, each along one edge.
 pub(crate) fn joined_by<M: Topology + ?Sized>(
     mesh: &M,
     couples: impl Iterator<Item = (M::HalfEdge, M::HalfEdge)>,
-) -> Map<M::HalfEdge, M::HalfEdge> {
-    let mut sets = DisjointSets::new(mesh.half_edge_bound());
+) -> Result<Map<M::HalfEdge, M::HalfEdge>, BuildError> {
+    let mut sets = DisjointSets::new(mesh.half_edge_bound())?;
     couples.for_each(|(h, g)| {
         let [at_origin, at_target] = facing(mesh, h, g);
         sets.join(h, at_origin);
         sets.join(mesh.next(h), at_target);
     });
-    sets.into_least()
+    Ok(sets.into_least())
 }
 
 /// The half-edges of the face of `g` from the origin and from the target of `h`, which lies along the same edge.

@@ -44,7 +44,7 @@ pub fn index_buffer(bytes: &[u8]) {
     let faces = faces.map(|face| face.map(|corner| in_range(corner).into())).collect();
     let positions = (0..vertices.into()).map(|v| position(v, choices, corners)).collect();
     let list = List { vertices: vertices.into(), faces, positions };
-    let defects = Defects::of(list.vertices, &list.faces);
+    let defects = Defects::of(list.vertices, &list.faces).expect("few faces");
     lists_are_counted(&list, &defects);
     far_apart(&list, &defects, (1 << (choices % 25)) + 1);
     backends::pairings(&list);
@@ -108,7 +108,7 @@ fn lists_are_counted(list: &List, defects: &Defects) {
 fn far_apart(list: &List, near: &Defects, step: u32) {
     let far: Vec<_> = list.faces.iter().map(|face| face.map(|v| v * step)).collect();
     let vertices = list.vertices.checked_sub(1).map_or(0, |last| last * step as usize + 1);
-    let far = Defects::of(vertices, &far);
+    let far = Defects::of(vertices, &far).expect("few faces");
     assert_eq!(far.isolated_vertices, near.isolated_vertices + vertices - list.vertices);
     let figures = |defects: &Defects| -> Vec<_> {
         defects.figures().filter(|(name, _)| *name != "isolated_vertices").collect()

@@ -32,7 +32,9 @@ const OTHERS: [(&str, Run); 4] = [
     ("repair", |vertex_count, faces, _| {
         let _ = black_box(repair(vertex_count, faces, &RepairOptions::default()));
     }),
-    ("defects", |vertex_count, faces, _| drop(black_box(Defects::of(vertex_count, faces)))),
+    ("defects", |vertex_count, faces, _| {
+        let _ = black_box(Defects::of(vertex_count, faces));
+    }),
     ("sot", |vertex_count, faces, _| {
         let _ = black_box(Sot::encode(vertex_count, faces));
     }),

@@ -6,6 +6,7 @@ use super::reference::{self, Sides};
 use super::sample::{Sample, Soup};
 use onering::defects::Defects;
 use onering::footprint::Counts;
+use onering::memory;
 use onering::repair::{RepairError, RepairOptions, repair};
 
 /// A list of triangles with all that is needed to measure on it.
@@ -47,7 +48,7 @@ impl Case {
         wanted: Wanted,
     ) -> Result<Self, RepairError> {
         let vertex_count = positions.len();
-        let defects = Defects::of(vertex_count, &faces);
+        let defects = Defects::of(vertex_count, &faces)?;
         let is_clean = defects.is_clean();
         let soup = Soup { vertex_count, faces, is_clean };
         let repaired = if is_clean { None } else { repaired(&soup, positions, wanted)? };
@@ -67,7 +68,7 @@ fn repaired(
         return Ok(None);
     }
     let steps = mended.to_string();
-    let positions = mended.carry_vertices(positions);
+    let positions = memory::collected(mended.vertex_source.iter().map(|&v| positions[v as usize]))?;
     let soup = Soup { vertex_count: mended.vertex_count, faces: mended.faces, is_clean: true };
     let ready = Ready::of(soup, &positions, wanted)?;
     let repair = record::Repair {

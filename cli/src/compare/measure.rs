@@ -95,7 +95,7 @@ pub(crate) fn backend<M: FromFaces + Footprint>(
         let clock = if is_quadratic { plan.clock.of_quadratic() } else { plan.clock };
         measured.build.push((pairing, clock.time(|| build(pairing))));
     }
-    measured.ask(&mesh, kernels, plan);
+    measured.ask(&mesh, kernels, plan)?;
     Ok(measured)
 }
 
@@ -110,7 +110,7 @@ pub(crate) fn searched(plan: &Plan<'_>) -> Result<Measured, BuildError> {
     // As slow as the sweep, which tells as much.
     kernels.checks.retain(|&(name, _)| name != "star");
     let mut measured = Measured::default();
-    measured.ask(&mesh, &kernels, &Plan { sample: &sample, clock: plan.clock.of_quadratic(), ..*plan });
+    measured.ask(&mesh, &kernels, &Plan { sample: &sample, clock: plan.clock.of_quadratic(), ..*plan })?;
     for timing in [&mut measured.vertex_queries, &mut measured.face_queries].into_iter().flatten() {
         *timing = timing.scaled(RARELY as f64);
     }
@@ -120,11 +120,18 @@ pub(crate) fn searched(plan: &Plan<'_>) -> Result<Measured, BuildError> {
 
 impl Measured {
     /// Puts all questions, those that are timed first.
-    pub(crate) fn ask<M>(&mut self, mesh: &M, kernels: &Kernels<M>, plan: &Plan<'_>) {
+    pub(crate) fn ask<M>(
+        &mut self,
+        mesh: &M,
+        kernels: &Kernels<M>,
+        plan: &Plan<'_>,
+    ) -> Result<(), BuildError> {
+        // The scratch of rings, which is all that questions take by the size of the mesh.
+        heap::has_room(8 * (plan.soup.vertex_count + 1))?;
         if let Depth::Only(questions) = plan.depth {
             let ask = |&question: &Question| Some((question, kernels.time(question, mesh, plan)?));
             self.asked = questions.iter().filter_map(ask).collect();
-            return;
+            return Ok(());
         }
         let Sample { starts, vertices, faces } = plan.sample;
         let (clock, mut answers) = (plan.clock, Vec::new());
@@ -141,7 +148,7 @@ impl Measured {
         if plan.depth == Depth::Sweep {
             answers.retain(|_| plan.soup.is_clean);
             self.answers = answers;
-            return;
+            return Ok(());
         }
         self.vertex_queries =
             kernels.vertex_queries.map(|query| timed("vertex_queries", &|| query(mesh, vertices)));
@@ -152,6 +159,7 @@ impl Measured {
         answers.extend(self.rings.as_ref().map(|rings| ("rings", rings.checksum())));
         answers.extend(kernels.checks.iter().map(|&(name, check)| (name, check(mesh))));
         self.answers = answers;
+        Ok(())
     }
 }
 

@@ -1,9 +1,10 @@
 //! A mesh in other orders of its vertices and faces: order matters more than structure.
 
 use super::sample::Soup;
+use crate::heap;
 use crate::random::Random;
 use onering::reorder::{Reordering, morton, reorder, reorder_both};
-use onering::{BuildError, FromFaces, Handle, Map, Pairing, SharedVertex, Topology};
+use onering::{BuildError, FromFaces, Map, Pairing, SharedVertex, Topology, VertexId, memory};
 
 /// As it came.
 pub(crate) const GIVEN: &str = "given";
@@ -21,14 +22,11 @@ pub(crate) struct Ordered {
 
 /// The mesh shuffled, and that reordered; the latter only where all positions are numbers.
 pub(crate) fn of(soup: &Soup, positions: &[[f32; 3]], seed: u64) -> Result<Vec<Ordered>, BuildError> {
-    let shuffled = shuffled(&soup.mesh()?, seed);
-    let positions: Map<_, _> = shuffled.carry_vertices(positions).into();
+    let Reordering { faces, vertex_source, .. } = shuffled(&soup.mesh()?, seed)?;
+    let positions = memory::collected(vertex_source.iter().map(|&v| positions[v as usize]))?.into();
     let in_order = |name, faces| Ordered { name, soup: Soup { faces, ..*soup } };
-    let shuffled = in_order(SHUFFLED, shuffled.faces);
-    let reordered = match morton(&positions) {
-        Ok(order) => Some(in_order(REORDERED, reorder(&shuffled.soup.mesh()?, &order).faces)),
-        Err(_) => None,
-    };
+    let shuffled = in_order(SHUFFLED, faces);
+    let reordered = reordered(&shuffled.soup, &positions)?.map(|faces| in_order(REORDERED, faces));
     Ok([shuffled].into_iter().chain(reordered).collect())
 }
 
@@ -39,15 +37,24 @@ pub(crate) fn choices(soup: &Soup, others: &[Ordered]) -> Vec<(String, String)> 
     std::iter::once((GIVEN.to_owned(), choice(soup))).chain(others).collect()
 }
 
-fn shuffled(mesh: &SharedVertex, seed: u64) -> Reordering {
+fn shuffled(mesh: &SharedVertex, seed: u64) -> Result<Reordering, BuildError> {
     let mut random = Random(seed);
-    let vertices = random.permutation(mesh.vertex_count());
-    let faces = random.permutation(mesh.face_count());
-    reorder_both(mesh, &handles(vertices), &handles(faces))
+    let vertices = random.permutation(mesh.vertex_count())?;
+    let faces = random.permutation(mesh.face_count())?;
+    // Places and sources of both, and the faces.
+    heap::has_room(8 * (mesh.vertex_count() + mesh.face_count()) + 12 * mesh.face_count())?;
+    Ok(reorder_both(mesh, &vertices, &faces))
 }
 
-fn handles<H: Handle>(numbers: Vec<usize>) -> Vec<H> {
-    numbers.into_iter().map(H::new).collect()
+/// The faces along the curve; `None` where some position is no number.
+fn reordered(soup: &Soup, positions: &Map<VertexId, [f32; 3]>) -> Result<Option<Vec<[u32; 3]>>, BuildError> {
+    // Keys with their vertices, twice to be sorted, and some counters; then the order.
+    heap::has_room(36 * positions.len() + (1 << 16))?;
+    let Ok(order) = morton(positions) else { return Ok(None) };
+    let mesh = soup.mesh()?;
+    // Places, starts and sources; faces, first under the new numbers, then in their order; and their sources.
+    heap::has_room(12 * (mesh.vertex_count() + 1) + (12 + 12 + 4) * mesh.face_count())?;
+    Ok(Some(reorder(&mesh, &order).faces))
 }
 
 impl Soup {

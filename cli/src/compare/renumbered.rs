@@ -53,7 +53,7 @@ fn encoded<M>(
         let build = plan.clock.time(|| encode(vertex_count, faces));
         measured.build.push((Pairing::Auto, build));
     }
-    measured.ask(&mesh, kernels, &Plan { soup: &soup, sample: &sample, ..*plan });
+    measured.ask(&mesh, kernels, &Plan { soup: &soup, sample: &sample, ..*plan })?;
     // Sums of numbers that nobody else has, but for the sizes of rings.
     let is_checked = matches!(plan.depth, Depth::All { .. });
     measured.expected =

@@ -2,9 +2,9 @@
 
 use super::{digest, geometry, verdict};
 use crate::input;
-use onering::BuildError;
 use onering::defects::{Defects, Figure};
 use onering::repair::weld;
+use onering::{BuildError, memory};
 use onering_io::{Format, Options, Skipped, Triangles, gltf};
 use serde::ser::{Error as _, Serialize, SerializeMap, Serializer};
 use std::collections::BTreeMap;
@@ -93,7 +93,7 @@ impl Inspection {
         let geometry = geometry::Geometry::of(mesh);
         let finite_coordinates = geometry.is_ok();
         let geometry = geometry.ok().flatten();
-        let defects = Defects::of(positions.len(), faces);
+        let defects = Defects::of(positions.len(), faces)?;
         let welded_defects = welded_defects(mesh)?;
         // A glTF file has 32-bit floats and no decimals: each is exactly the number that is there.
         let number = if mesh.gltf.is_some() { f64::from } else { shortest };
@@ -175,8 +175,9 @@ fn welded_defects(mesh: &Triangles) -> Result<Option<(usize, Defects)>, BuildErr
     if vertices == mesh.positions.len() {
         return Ok(None);
     }
-    let faces: Vec<_> = mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize])).collect();
-    Ok(Some((vertices, Defects::of(vertices, &faces))))
+    let faces = mesh.faces.iter().map(|face| face.map(|v| welded.target[v as usize]));
+    let faces = memory::collected(faces)?;
+    Ok(Some((vertices, Defects::of(vertices, &faces)?)))
 }
 
 fn buffers(of: &gltf::Origin) -> Vec<String> {

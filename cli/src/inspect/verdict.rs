@@ -39,7 +39,7 @@ mod tests {
 
     #[test]
     fn each_verdict() {
-        let one = |vertices, faces: &[[u32; 3]]| one(&Defects::of(vertices, faces));
+        let one = |vertices, faces: &[[u32; 3]]| one(&Defects::of(vertices, faces).unwrap());
         assert_eq!(one(3, &[]), "no faces");
         assert_eq!(one(4, &[[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]), "closed manifold");
         assert_eq!(one(4, &[[0, 1, 2], [0, 2, 3]]), "open manifold: 4 boundary edges in 1 loop");
@@ -49,8 +49,8 @@ mod tests {
 
     #[test]
     fn welding_is_spoken_of_where_it_matters() {
-        let square = Defects::of(4, &[[0, 1, 2], [0, 2, 3]]);
-        let apart = Defects::of(6, &[[0, 1, 2], [3, 4, 5]]);
+        let square = Defects::of(4, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+        let apart = Defects::of(6, &[[0, 1, 2], [3, 4, 5]]).unwrap();
         let line = of(&apart, Some(&square));
         assert_eq!(
             line,

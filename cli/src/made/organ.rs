@@ -126,7 +126,7 @@ mod tests {
         for (asked, vertices) in [(0, 18), (200, 198), (1_000, 1_026), (20_000, 20_166)] {
             let mesh = of_size(asked);
             assert_eq!((mesh.positions.len(), mesh.faces.len()), (vertices, 2 * vertices - 4));
-            let defects = Defects::of(vertices, &mesh.faces);
+            let defects = Defects::of(vertices, &mesh.faces).unwrap();
             assert!(defects.is_clean() && defects.closed && defects.genus == Some(0), "{defects}");
             assert_eq!(defects.isolated_vertices, 0);
         }

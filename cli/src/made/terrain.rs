@@ -76,7 +76,7 @@ mod tests {
     #[test]
     fn the_terrain_is_a_disc_with_hills_and_hollows() {
         let mesh = mesh();
-        let defects = Defects::of(mesh.positions.len(), &mesh.faces);
+        let defects = Defects::of(mesh.positions.len(), &mesh.faces).unwrap();
         assert!(defects.is_clean() && defects.isolated_vertices == 0 && defects.boundary_loops == Some(1));
         assert_eq!((mesh.positions.len(), mesh.faces.len()), (97 * 73, 13_824));
         let heights = mesh.positions.iter().map(|p| p[2]);

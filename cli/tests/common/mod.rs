@@ -24,12 +24,17 @@ pub(crate) fn onering<S: AsRef<OsStr>>(args: impl IntoIterator<Item = S>) -> Run
 
 /// As [`onering`], with 200 MB of memory and ten seconds of processor at most, where there is a shell to say so.
 pub(crate) fn onering_in_little_memory<S: AsRef<OsStr>>(args: impl IntoIterator<Item = S>) -> Run {
+    onering_within(200, args)
+}
+
+/// The same with so many megabytes.
+pub(crate) fn onering_within<S: AsRef<OsStr>>(megabytes: usize, args: impl IntoIterator<Item = S>) -> Run {
     if cfg!(not(target_os = "linux")) {
         return onering(args);
     }
-    let limited = "ulimit -v 200000 && ulimit -t 10 && exec \"$0\" \"$@\"";
+    let limited = format!("ulimit -v {megabytes}000 && ulimit -t 10 && exec \"$0\" \"$@\"");
     let mut shell = Command::new("sh");
-    shell.args(["-c", limited, env!("CARGO_BIN_EXE_onering")]).args(args);
+    shell.args(["-c", &limited, env!("CARGO_BIN_EXE_onering")]).args(args);
     of(&shell.output().unwrap())
 }
 
@@ -95,6 +100,17 @@ pub(crate) fn fresh(test: &str, name: &str, content: &str) -> PathBuf {
     let test = format!("{}/{test}", env!("CARGO_CRATE_NAME"));
     let _ = std::fs::remove_dir_all(Path::new(env!("CARGO_TARGET_TMPDIR")).join(&test));
     scratch(&test, name, content)
+}
+
+/// A plane of squares, two triangles each, with so many vertices along each side.
+pub(crate) fn plane(side: usize) -> String {
+    let vertices = (0..side * side).map(|v| format!("v {} {} 0\n", v % side, v / side));
+    let corners = (1..side).flat_map(|y| (1..side).map(move |x| (y - 1) * side + x));
+    let faces = corners.map(|v| {
+        let [a, b, c, d] = [v, v + 1, v + side + 1, v + side];
+        format!("f {a} {b} {c}\nf {a} {c} {d}\n")
+    });
+    vertices.chain(faces).collect()
 }
 
 /// Two triangles on an edge.

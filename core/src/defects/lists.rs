@@ -1,7 +1,7 @@
 //! The elements at fault, by name.
 
 use super::sheets::Sheets;
-use crate::{HalfEdgeId, Topology};
+use crate::{BuildError, HalfEdgeId, Topology, memory};
 use alloc::vec::Vec;
 use core::ops::Range;
 
@@ -42,22 +42,26 @@ pub(crate) struct EdgeFaults {
 
 impl EdgeFaults {
     /// O(d log d) for d of them.
-    pub(crate) fn of(sheets: &Sheets) -> Self {
+    pub(crate) fn of(sheets: &Sheets) -> Result<Self, BuildError> {
         let mut faults = Self::default();
-        sheets.irregular().for_each(|edge| faults.add(sheets, edge));
+        sheets.irregular().try_for_each(|edge| faults.add(sheets, edge))?;
         for list in [&mut faults.nonmanifold, &mut faults.inconsistent, &mut faults.repeated] {
             list.sort_unstable();
         }
-        faults
+        Ok(faults)
     }
 
-    fn add(&mut self, sheets: &Sheets, edge: &[HalfEdgeId]) {
+    fn add(&mut self, sheets: &Sheets, edge: &[HalfEdgeId]) -> Result<(), BuildError> {
         let ends = sheets.ends(edge[0]);
         let [a, b] = ends.map(|slot| sheets.triangles.vertex(slot));
         let at_fault = if edge.len() > 2 { &mut self.nonmanifold } else { &mut self.inconsistent };
-        at_fault.push([a, b]);
+        memory::push(at_fault, [a, b])?;
         let rising = edge.iter().filter(|&&h| sheets.origin(h) == ends[0]).count();
-        self.repeated.extend((rising > 1).then_some([a, b]));
-        self.repeated.extend((edge.len() - rising > 1).then_some([b, a]));
+        for (count, run) in [(rising, [a, b]), (edge.len() - rising, [b, a])] {
+            if count > 1 {
+                memory::push(&mut self.repeated, run)?;
+            }
+        }
+        Ok(())
     }
 }

@@ -6,7 +6,7 @@
 
 use super::sheets::Sheets;
 use crate::disjoint_sets::{Joined, ParitySets};
-use crate::{FaceId, Handle, Map, Topology};
+use crate::{BuildError, FaceId, Handle, Map, Topology, memory};
 use alloc::vec::Vec;
 
 /// The figures of the patches.
@@ -19,33 +19,37 @@ pub(crate) struct Patches {
 
 impl Patches {
     /// Near-linear in the edges.
-    pub(crate) fn of(sheets: &Sheets) -> Self {
-        let mut patches = ParitySets::new(sheets.face_count());
+    pub(crate) fn of(sheets: &Sheets) -> Result<Self, BuildError> {
+        let mut patches = ParitySets::new(sheets.face_count())?;
         let mut torn = Vec::new();
         for (h, g) in sheets.paired() {
             patches.join(sheets.face(h), sheets.face(g), false);
         }
         for (h, g) in sheets.inconsistent() {
             if patches.join(sheets.face(h), sheets.face(g), true) == Joined::Contradicted {
-                torn.push(sheets.face(h));
+                memory::push(&mut torn, sheets.face(h))?;
             }
         }
-        let mut nonorientable: Vec<FaceId> = torn.iter().map(|&t| patches.least(t).0).collect();
+        let mut nonorientable = torn;
+        nonorientable.iter_mut().for_each(|t| *t = patches.least(*t).0);
         nonorientable.sort_unstable();
         nonorientable.dedup();
-        let tally = tally(&mut patches, sheets.face_count());
+        let tally = tally(&mut patches, sheets.face_count())?;
         let orientable = tally.iter().filter(|(first, _)| nonorientable.binary_search(first).is_err());
         let min_flips = orientable.map(|(_, &[even, odd])| even.min(odd) as usize).sum();
-        Self { count: patches.count(), nonorientable, min_flips }
+        Ok(Self { count: patches.count(), nonorientable, min_flips })
     }
 }
 
 /// How many triangles of each patch are even and odd; zeros where a triangle is not the least of its patch.
-pub(crate) fn tally(patches: &mut ParitySets<FaceId>, faces: usize) -> Map<FaceId, [u32; 2]> {
-    let mut tally = Map::filled(faces, [0; 2]);
+pub(crate) fn tally(
+    patches: &mut ParitySets<FaceId>,
+    faces: usize,
+) -> Result<Map<FaceId, [u32; 2]>, BuildError> {
+    let mut tally: Map<FaceId, [u32; 2]> = memory::filled(faces, [0; 2])?.into();
     for t in (0..faces).map(FaceId::new) {
         let (first, odd) = patches.least(t);
         tally[first][usize::from(odd)] += 1;
     }
-    tally
+    Ok(tally)
 }

@@ -1,6 +1,6 @@
 //! The faces that the figures are about: those that name vertices of the mesh, three different ones.
 
-use crate::{FaceId, Handle, VertexId};
+use crate::{BuildError, FaceId, Handle, VertexId, memory};
 use alloc::vec::Vec;
 use core::ops::Range;
 
@@ -24,42 +24,42 @@ pub(crate) struct Triangles {
 impl Triangles {
     /// Sifts the list. O(faces), and O(faces log faces) where the vertex numbers are far above what so many
     /// faces can use; never O(vertex_count).
-    pub(crate) fn sift(vertex_count: usize, faces: &[[u32; 3]]) -> Self {
-        let mut sifted = Self::empty(faces.len());
+    pub(crate) fn sift(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Self, BuildError> {
+        let mut sifted = Self::empty(faces.len())?;
         for (f, face) in (0..).zip(faces) {
             let [a, b, c] = *face;
             if face.iter().any(|&v| v as usize >= vertex_count) {
-                sifted.out_of_range.push(f);
+                memory::push(&mut sifted.out_of_range, f)?;
             } else if a == b || b == c || c == a {
-                sifted.degenerate.push(f);
+                memory::push(&mut sifted.degenerate, f)?;
             } else {
                 sifted.source.push(f);
                 sifted.faces.push(*face);
             }
         }
-        sifted.compact();
-        sifted
+        sifted.compact()?;
+        Ok(sifted)
     }
 
-    fn empty(faces: usize) -> Self {
-        Self {
+    fn empty(faces: usize) -> Result<Self, BuildError> {
+        Ok(Self {
             out_of_range: Vec::new(),
             degenerate: Vec::new(),
-            source: Vec::with_capacity(faces),
-            faces: Vec::with_capacity(faces),
+            source: memory::with_room(faces)?,
+            faces: memory::with_room(faces)?,
             vertex_bound: 0,
             names: None,
-        }
+        })
     }
 
     /// Numbers the used vertices anew where arrays up to the greatest one would be out of proportion.
-    fn compact(&mut self) {
+    fn compact(&mut self) -> Result<(), BuildError> {
         let corners = self.faces.as_flattened_mut();
         self.vertex_bound = corners.iter().max().map_or(0, |&v| v as usize + 1);
         if self.vertex_bound <= 2 * corners.len() {
-            return;
+            return Ok(());
         }
-        let mut names = corners.to_vec();
+        let mut names = memory::collected(corners.iter().copied())?;
         names.sort_unstable();
         names.dedup();
         for v in corners {
@@ -68,6 +68,7 @@ impl Triangles {
         }
         self.vertex_bound = names.len();
         self.names = Some(names);
+        Ok(())
     }
 
     /// Keeps the triangles that are not in `gone` (rising triangle numbers), in order.
@@ -92,24 +93,28 @@ impl Triangles {
     }
 
     /// The faces of the list that these triangles are.
-    pub(crate) fn sources(&self, triangles: &[FaceId]) -> Vec<u32> {
-        triangles.iter().map(|t| self.source[t.index()]).collect()
+    pub(crate) fn sources(&self, triangles: &[FaceId]) -> Result<Vec<u32>, BuildError> {
+        memory::collected(triangles.iter().map(|t| self.source[t.index()]))
     }
 
     /// The runs of vertices in `0..vertex_count` that no triangle uses.
-    pub(crate) fn unused(&self, vertex_count: usize, used: impl Fn(VertexId) -> bool) -> Vec<Range<usize>> {
+    pub(crate) fn unused(
+        &self,
+        vertex_count: usize,
+        used: impl Fn(VertexId) -> bool,
+    ) -> Result<Vec<Range<usize>>, BuildError> {
         let mut runs = Vec::new();
         let mut next = 0;
         for slot in (0..self.vertex_bound).map(VertexId::new).filter(|&slot| used(slot)) {
             let v = self.vertex(slot) as usize;
             if next < v {
-                runs.push(next..v);
+                memory::push(&mut runs, next..v)?;
             }
             next = v + 1;
         }
         if next < vertex_count {
-            runs.push(next..vertex_count);
+            memory::push(&mut runs, next..vertex_count)?;
         }
-        runs
+        Ok(runs)
     }
 }

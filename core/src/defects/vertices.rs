@@ -1,7 +1,7 @@
 //! What meets at each vertex.
 
 use super::sheets::Sheets;
-use crate::{HalfEdgeId, Map, Topology, VertexId};
+use crate::{BuildError, HalfEdgeId, Map, Topology, VertexId, memory};
 use alloc::vec::Vec;
 
 /// The figures of the vertices, and by slot what they are made of.
@@ -15,32 +15,34 @@ pub(crate) struct Vertices {
 
 impl Vertices {
     /// O(half-edges), after the umbrellas of the mesh.
-    pub(crate) fn of(sheets: &Sheets, umbrella: &Map<HalfEdgeId, HalfEdgeId>) -> Self {
-        let fans = count(sheets, |h| umbrella[h] == h);
-        let mut singular = Map::filled(sheets.vertex_count(), false);
+    pub(crate) fn of(sheets: &Sheets, umbrella: &Map<HalfEdgeId, HalfEdgeId>) -> Result<Self, BuildError> {
+        let fans = count(sheets, |h| umbrella[h] == h)?;
+        let mut singular: Map<VertexId, bool> = memory::filled(sheets.vertex_count(), false)?.into();
         let many = sheets.irregular().filter(|edge| edge.len() > 2);
         many.flat_map(|edge| sheets.ends(edge[0])).for_each(|v| singular[v] = true);
         let names = |slots: &dyn Fn(&VertexId) -> bool| {
-            sheets.vertices().filter(slots).map(|slot| sheets.triangles.vertex(slot)).collect()
+            let mut names = Vec::new();
+            let mut found = sheets.vertices().filter(slots).map(|slot| sheets.triangles.vertex(slot));
+            found.try_for_each(|v| memory::push(&mut names, v)).map(|()| names)
         };
-        Self {
-            bowties: names(&|&v| fans[v] > 1),
-            nonmanifold: names(&|&v| fans[v] > 1 || singular[v]),
-            max_faces: count(sheets, |_| true).as_slice().iter().max().map_or(0, |&n| n as usize),
-            valence: valence(sheets),
-        }
+        Ok(Self {
+            bowties: names(&|&v| fans[v] > 1)?,
+            nonmanifold: names(&|&v| fans[v] > 1 || singular[v])?,
+            max_faces: count(sheets, |_| true)?.as_slice().iter().max().map_or(0, |&n| n as usize),
+            valence: valence(sheets)?,
+        })
     }
 }
 
-fn valence(sheets: &Sheets) -> Map<VertexId, u32> {
-    let mut valence = Map::filled(sheets.vertex_count(), 0);
+fn valence(sheets: &Sheets) -> Result<Map<VertexId, u32>, BuildError> {
+    let mut valence: Map<VertexId, u32> = memory::filled(sheets.vertex_count(), 0)?.into();
     sheets.edges().flat_map(|h| sheets.ends(h)).for_each(|v| valence[v] += 1);
-    valence
+    Ok(valence)
 }
 
 /// How many such half-edges start at each slot.
-fn count(sheets: &Sheets, which: impl Fn(HalfEdgeId) -> bool) -> Map<VertexId, u32> {
-    let mut counts = Map::filled(sheets.vertex_count(), 0);
+fn count(sheets: &Sheets, which: impl Fn(HalfEdgeId) -> bool) -> Result<Map<VertexId, u32>, BuildError> {
+    let mut counts: Map<VertexId, u32> = memory::filled(sheets.vertex_count(), 0)?.into();
     sheets.half_edges().filter(|&h| which(h)).for_each(|h| counts[sheets.origin(h)] += 1);
-    counts
+    Ok(counts)
 }

@@ -8,7 +8,7 @@
 
 use super::orient::Orientation;
 use crate::defects::sheets::Sheets;
-use crate::{HalfEdgeId, Map, Topology, umbrella};
+use crate::{BuildError, HalfEdgeId, Map, Topology, VertexId, memory, umbrella};
 use alloc::vec::Vec;
 
 /// New vertices for the corners of the triangles.
@@ -24,19 +24,23 @@ pub(crate) struct Cut {
 impl Cut {
     /// Near-linear in the corners. At each vertex the fan with the least corner keeps it; copies are numbered by
     /// the least corners of the other fans.
-    pub(crate) fn of(sheets: &Sheets, orientation: &Orientation) -> Self {
-        let fan = umbrella::joined_by(sheets, orientation.couples(sheets));
+    pub(crate) fn of(sheets: &Sheets, orientation: &Orientation) -> Result<Self, BuildError> {
+        let fan = umbrella::joined_by(sheets, orientation.couples(sheets))?;
         let mut cut = Self { copy: Map::default(), copied: Vec::new(), edges_cut: 0, vertices_cut: 0 };
-        cut.copy_vertices(sheets, &fan);
+        cut.copy_vertices(sheets, &fan)?;
         let paired = sheets.paired().filter(|&(h, g)| cut.parts(sheets, h, g)).count();
         let is_cut = |edge: &&[HalfEdgeId]| edge.iter().any(|&g| cut.parts(sheets, edge[0], g));
         cut.edges_cut = paired + sheets.irregular().filter(is_cut).count();
-        cut
+        Ok(cut)
     }
 
-    fn copy_vertices(&mut self, sheets: &Sheets, fan: &Map<HalfEdgeId, HalfEdgeId>) {
-        self.copy = Map::filled(sheets.half_edge_count(), 0);
-        let mut fan_count = Map::filled(sheets.vertex_count(), 0u32);
+    fn copy_vertices(
+        &mut self,
+        sheets: &Sheets,
+        fan: &Map<HalfEdgeId, HalfEdgeId>,
+    ) -> Result<(), BuildError> {
+        self.copy = memory::filled(sheets.half_edge_count(), 0)?.into();
+        let mut fan_count: Map<VertexId, u32> = memory::filled(sheets.vertex_count(), 0)?.into();
         for (h, &first) in fan.iter() {
             if first < h {
                 self.copy[h] = self.copy[first];
@@ -47,10 +51,11 @@ impl Cut {
             *count += 1;
             self.vertices_cut += usize::from(*count == 2);
             if *count > 1 {
-                self.copied.push(sheets.triangles.vertex(slot));
+                memory::push(&mut self.copied, sheets.triangles.vertex(slot))?;
                 self.copy[h] = self.copied.len() as u32;
             }
         }
+        Ok(())
     }
 
     /// Whether two half-edges of an edge no longer have the same two vertices.

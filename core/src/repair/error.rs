@@ -7,7 +7,7 @@ use core::fmt;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum RepairError {
-    /// More vertices (copies included) or half-edges than handles can name, or no memory for the vertices.
+    /// More vertices (copies included) or half-edges than handles can name, or no memory.
     Limit(BuildError),
     /// Welding needs a position for every vertex, and no more.
     PositionCount {

@@ -3,7 +3,7 @@
 use crate::defects::patches::tally;
 use crate::defects::sheets::Sheets;
 use crate::disjoint_sets::{Joined, ParitySets};
-use crate::{FaceId, HalfEdgeId, Map, Topology};
+use crate::{BuildError, FaceId, HalfEdgeId, Handle, Map, Topology, memory};
 use alloc::vec::Vec;
 
 /// Which triangles to flip, and how many edges cannot be made consistent: the seams.
@@ -18,23 +18,27 @@ impl Orientation {
     /// Edges that are consistent as they stand are joined first: where a patch cannot be oriented, a seam that
     /// is there already is kept, and no other one torn open. In each patch the lesser part is flipped; of two
     /// equal halves, the one without the patch's first triangle.
-    pub(crate) fn of(sheets: &Sheets) -> Self {
-        let mut patches = ParitySets::new(sheets.face_count());
+    pub(crate) fn of(sheets: &Sheets) -> Result<Self, BuildError> {
+        let mut patches = ParitySets::new(sheets.face_count())?;
         for (h, g) in sheets.paired() {
             patches.join(sheets.face(h), sheets.face(g), false);
         }
-        let mut inconsistent: Vec<_> = sheets.inconsistent().map(|(h, g)| (sheets.ends(h), h, g)).collect();
+        let mut inconsistent = Vec::new();
+        for (h, g) in sheets.inconsistent() {
+            memory::push(&mut inconsistent, (sheets.ends(h), h, g))?;
+        }
         // By their vertices: where the seams of a patch run shall not depend on the order of the faces.
         inconsistent.sort_unstable();
         let mut is_torn = |h, g| patches.join(sheets.face(h), sheets.face(g), true) == Joined::Contradicted;
         let seam_edges = inconsistent.into_iter().filter(|&(_, h, g)| is_torn(h, g)).count();
-        let tally = tally(&mut patches, sheets.face_count());
-        let flip = Map::from_fn(sheets.face_count(), |f| {
+        let tally = tally(&mut patches, sheets.face_count())?;
+        let flip = (0..sheets.face_count()).map(|f| {
+            let f = FaceId::new(f);
             let (first, odd) = patches.least(f);
             let [even_count, odd_count] = tally[first];
             odd == (odd_count <= even_count)
         });
-        Self { flip, seam_edges }
+        Ok(Self { flip: memory::collected(flip)?.into(), seam_edges })
     }
 
     /// The couples of half-edges that will be consistent: the edges of two triangles but the seams.
@@ -46,7 +50,11 @@ impl Orientation {
     }
 
     /// The triangles to flip, rising.
-    pub(crate) fn flipped(&self) -> impl Iterator<Item = FaceId> {
-        self.flip.iter().filter(|&(_, &flip)| flip).map(|(f, _)| f)
+    pub(crate) fn flipped(&self) -> Result<Vec<FaceId>, BuildError> {
+        let mut flipped = Vec::new();
+        for (f, _) in self.flip.iter().filter(|&(_, &flip)| flip) {
+            memory::push(&mut flipped, f)?;
+        }
+        Ok(flipped)
     }
 }

@@ -18,7 +18,7 @@ pub(super) fn mended(list: &List, before: &Defects) {
     }
     let positions = repaired.carry_vertices(&list.positions);
     let mended = List { vertices: repaired.vertex_count, faces: repaired.faces, positions };
-    backends::every(&mended, &Defects::of(mended.vertices, &mended.faces));
+    backends::every(&mended, &Defects::of(mended.vertices, &mended.faces).expect("few faces"));
 }
 
 /// Vertices at equal positions become one first.
@@ -37,7 +37,7 @@ pub(super) fn welded(list: &List, choices: u8) {
 
 fn is_sound(repaired: &Repaired) {
     let (vertices, faces) = (repaired.vertex_count, &repaired.faces);
-    let after = Defects::of(vertices, faces);
+    let after = Defects::of(vertices, faces).expect("few faces");
     assert!(after.is_clean() && after.duplicate_faces == 0, "{after}");
     backends::all_accept(vertices, faces);
     let again = repair(vertices, faces, &RepairOptions::default()).expect("nothing is beyond repair");

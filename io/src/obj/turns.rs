@@ -96,10 +96,21 @@ mod tests {
     use super::super::lists::{Lists, Needed};
     use super::super::numbering::Numbering;
     use super::*;
+    use std::sync::mpsc;
+    use std::time::Duration;
 
     /// Part 0 is never placed, as the thread that is about it panics: the one about part 1 is not left waiting.
     #[test]
     fn a_panic_stops_all() {
+        let (tell, told) = mpsc::channel();
+        // On a thread of its own, which nobody waits for: who is left waiting is so for ever.
+        std::thread::spawn(move || tell.send(share_after_a_panic()));
+        let share = told.recv_timeout(Duration::from_secs(60)).expect("part 1 has its answer in a minute");
+        assert!(!share);
+    }
+
+    /// Whether part 1 gets its share.
+    fn share_after_a_panic() -> bool {
         let (mut all, mut lists) = (Reader::new(Numbering::of_file(u32::MAX)), Lists::default());
         let part = Reader::new(Numbering::of_part());
         let share = lists.with_room(&Needed::default(), |rooms| {
@@ -114,6 +125,6 @@ mod tests {
                 waiting.join().unwrap()
             })
         });
-        assert!(!share.unwrap());
+        share.unwrap()
     }
 }
