@@ -175,6 +175,11 @@ fn the_page_never_takes_the_place_of_a_mesh() {
     let same = mesh.with_file_name("same");
     let run = write(&same, &[&mesh], &["--json", same.to_str().unwrap()]);
     assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{run:?}");
+    for (html, json) in [("./same", "same"), ("../precious/same", "same")] {
+        let [html, json] = [html, json].map(|name| mesh.parent().unwrap().join(name));
+        let run = write(&html, &[&mesh], &["--json", json.to_str().unwrap()]);
+        assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (Some(2), "", 1), "{run:?}");
+    }
     assert_eq!(std::fs::read_to_string(&mesh).unwrap(), SQUARE);
     assert_eq!(std::fs::read_dir(mesh.parent().unwrap()).unwrap().count(), 1, "something was left behind");
     assert_eq!(onering(["compare", "--deform", "--html", "x.html"]).code, Some(2));
