@@ -1,6 +1,7 @@
 //! How a list of faces is made, at any size: pieces, then numbers for vertices, an order for faces, and turned corners.
-use crate::meshes::{Faces, Random};
+use crate::meshes::{self, Faces, Random};
 use crate::pieces::Piece;
+use onering::Pairing;
 
 /// New numbers for vertices.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +31,7 @@ enum Order {
     Interleaved(usize),
     /// So many eighths of the list from the front shuffled.
     FrontShuffled(usize),
-    /// Shuffled but for pairs of faces at even steps, which `Pairing::choose` looks at.
+    /// Shuffled but for the pairs of faces that `is_shuffled` in `core/src/pairing/mod.rs` samples, at its odd step.
     Unsampled,
     ByLeast,
     ByGreatest,
@@ -184,7 +185,7 @@ impl Order {
             }
             Self::FrontShuffled(eighths) => random.shuffle(&mut faces[..count * eighths / 8]),
             Self::Unsampled => {
-                let step = (count / 256).max(2);
+                let step = (count / 256) | 1;
                 let unsampled: Vec<usize> = (0..count).filter(|f| f % step > 1).collect();
                 for &f in &unsampled {
                     faces.swap(f, unsampled[random.below(unsampled.len())]);
@@ -211,4 +212,17 @@ impl Corners {
             }
         }
     }
+}
+
+/// Lists are what they are said to be.
+pub(crate) fn check() {
+    let mut random = Random::default();
+    let (vertices, faces) = meshes::torus(320, 320);
+    let chosen = |order: Order, random: &mut Random| {
+        let mut faces = faces.clone();
+        order.put(&mut faces, random);
+        Pairing::choose(vertices, &faces)
+    };
+    assert_eq!(chosen(Order::Shuffled, &mut random), Pairing::Partition);
+    assert_eq!(chosen(Order::Unsampled, &mut random), Pairing::Chain);
 }

@@ -1,7 +1,7 @@
 //! Tries lists, half of them made anew, half of them what was worst until then but for one change.
 use crate::Counter;
 use crate::meshes::Random;
-use crate::recipe::Recipe;
+use crate::recipe::{self, Recipe};
 use crate::subjects::Subject;
 use std::process::ExitCode;
 
@@ -114,6 +114,7 @@ pub(crate) fn search(lists: u64, seed: u64, n: usize, counter: &mut Counter) -> 
 
 /// As many lists at a small size, to see that they are made and built.
 pub(crate) fn try_out(lists: u64) {
+    recipe::check();
     let mut random = Random::new(1);
     for _ in 0..lists {
         let (vertices, faces) = Recipe::random(&mut random).changed(&mut random).faces(60);
