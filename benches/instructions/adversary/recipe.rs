@@ -1,6 +1,6 @@
 //! How a list of faces is made, at any size: pieces, then numbers for vertices, an order for faces, and turned corners.
 use crate::meshes::{self, Faces, Random};
-use crate::pieces::Piece;
+use crate::pieces::{self, Piece};
 use onering::Pairing;
 
 /// New numbers for vertices.
@@ -62,7 +62,7 @@ pub(crate) struct Recipe {
 impl Recipe {
     pub(crate) fn random(random: &mut Random) -> Self {
         let some = |random: &mut Random| random.below(3);
-        Self {
+        let mut new = Self {
             pieces: (0..1 + random.of(&[0, 0, 0, 1, 1, 2])).map(|_| Piece::random(random)).collect(),
             is_joined: random.below(3) == 0,
             numbers: (0..some(random)).map(|_| Numbers::random(random)).collect(),
@@ -70,7 +70,10 @@ impl Recipe {
             corners: Corners::random(random),
             isolated: random.of(&[0, 0, 0, 0, 1, 16, 64]),
             seed: random.next(),
-        }
+        };
+        // Others behind them would give numbers that collide no more.
+        new.numbers.sort_by_key(|numbers| matches!(numbers, Numbers::Colliding(_)));
+        new
     }
 
     /// The same but for one thing.
@@ -140,12 +143,16 @@ impl Numbers {
             Self::Turned => numbers.rotate_left(count / 2),
             Self::Spread(far) => numbers.iter_mut().for_each(|v| *v *= far as u32),
             Self::Colliding(places) => {
-                let place = |v: u32| (u64::from(v.wrapping_mul(0x9E37_79B9)) * 56) >> 32;
-                numbers = (0..).filter(|&v| place(v) < places).take(count).collect();
+                numbers = (0..).filter(|&v| bit(v) < places).take(count).collect();
             }
         }
         numbers
     }
+}
+
+/// The bit of a vertex in the filter of the chain, of its 56.
+fn bit(v: u32) -> u64 {
+    (u64::from(v.wrapping_mul(0x9E37_79B9)) * 56) >> 32
 }
 
 impl Order {
@@ -216,6 +223,7 @@ impl Corners {
 
 /// Lists are what they are said to be.
 pub(crate) fn check() {
+    pieces::check();
     let mut random = Random::default();
     let (vertices, faces) = meshes::torus(320, 320);
     let chosen = |order: Order, random: &mut Random| {
@@ -225,4 +233,13 @@ pub(crate) fn check() {
     };
     assert_eq!(chosen(Order::Shuffled, &mut random), Pairing::Partition);
     assert_eq!(chosen(Order::Unsampled, &mut random), Pairing::Chain);
+    for _ in 0..300 {
+        let recipe = Recipe::random(&mut random).changed(&mut random);
+        let is_last = recipe.numbers.is_sorted_by_key(|numbers| matches!(numbers, Numbers::Colliding(_)));
+        assert!(is_last, "{recipe:?}");
+        if let Some(Numbers::Colliding(places)) = recipe.numbers.last() {
+            let (_, faces) = recipe.faces(60);
+            assert!(faces.as_flattened().iter().all(|&v| bit(v) < *places), "{recipe:?}");
+        }
+    }
 }
