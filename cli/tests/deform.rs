@@ -229,9 +229,13 @@ fn the_figure_has_a_line_for_each_structure() {
             assert!(point.is_null() || point["total"]["median_ns"].as_f64() > Some(0.0));
         }
     }
-    for (more, message) in
-        [(&["--plot", "x.svg"][..], "--deform"), (&["--deform", "x.obj"], "cannot be used")]
-    {
+    let twice = ["--deform", "--json", "new.svg", "--plot", "./new.svg"];
+    for (more, message) in [
+        (&["--plot", "x.svg"][..], "--deform"),
+        (&["--deform", "x.obj"], "cannot be used"),
+        (&["--deform", "--plot", "x.obj"], "--plot does not write to 'x.obj'"),
+        (&twice, "--json and --plot cannot be one file"),
+    ] {
         let run = onering(["compare"].iter().chain(more));
         assert!(run.code == Some(2) && run.err.contains(message), "{run:?}");
     }

@@ -165,6 +165,25 @@ fn defects_files_without_faces_and_unread_ones_are_on_the_page() {
     }
 }
 
+#[cfg(unix)]
+#[test]
+fn what_a_name_would_do_to_a_terminal_is_on_no_page_either() {
+    let target = fresh("control", "page.html", "old");
+    let [square, points] =
+        ["square", "points"].map(|name| target.with_file_name(format!("{name}\u{1B}[31m\u{202E}\n.obj")));
+    std::fs::write(&square, SQUARE).unwrap();
+    std::fs::write(&points, "v 0 0 0\n").unwrap();
+    let run = write(&target, &[&square, &points, &square.with_file_name("\u{1B}.obj")], &[]);
+    assert_eq!((run.code, run.err.lines().count()), (Some(1), 1), "{run:?}");
+    let page = std::fs::read_to_string(target).unwrap();
+    for text in [&page, &run.out, &run.err] {
+        assert!(!text.contains(['\u{1B}', '\u{202E}']), "{text:?}");
+    }
+    for name in ["square\u{FFFD}[31m\u{FFFD}\u{FFFD}.obj", "points\u{FFFD}[31m\u{FFFD}\u{FFFD}.obj"] {
+        assert!(page.contains(&format!("{name}</h2>")) && run.out.contains(&format!("{name}: ")), "{run:?}");
+    }
+}
+
 #[test]
 fn the_page_never_takes_the_place_of_a_mesh() {
     let mesh = fresh("precious", "square.mesh", SQUARE);
@@ -175,6 +194,11 @@ fn the_page_never_takes_the_place_of_a_mesh() {
     let same = mesh.with_file_name("same");
     let run = write(&same, &[&mesh], &["--json", same.to_str().unwrap()]);
     assert_eq!((run.code, run.out.as_str()), (Some(2), ""), "{run:?}");
+    for (html, json) in [("./same", "same"), ("../precious/same", "same")] {
+        let [html, json] = [html, json].map(|name| mesh.parent().unwrap().join(name));
+        let run = write(&html, &[&mesh], &["--json", json.to_str().unwrap()]);
+        assert_eq!((run.code, run.out.as_str(), run.err.lines().count()), (Some(2), "", 1), "{run:?}");
+    }
     assert_eq!(std::fs::read_to_string(&mesh).unwrap(), SQUARE);
     assert_eq!(std::fs::read_dir(mesh.parent().unwrap()).unwrap().count(), 1, "something was left behind");
     assert_eq!(onering(["compare", "--deform", "--html", "x.html"]).code, Some(2));

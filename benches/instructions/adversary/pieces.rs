@@ -16,7 +16,7 @@ pub(crate) enum Family {
     Books,
     /// The same three vertices so many times.
     Copies,
-    /// Rows of so many quads.
+    /// Rows of so many quads, three at least.
     Grid,
     /// The same, its rows closed.
     Tube,
@@ -90,9 +90,9 @@ impl Piece {
             }
             Family::Copies => (0..n).map(|i| [0, 1, 2].map(|k| i / size * 3 + k)).collect(),
             Family::Grid => grid(n, size, false, false, 0),
-            Family::Tube => grid(n, size.max(3), true, false, 0),
-            Family::Moebius => grid(n, size.max(3), true, false, 1),
-            Family::Klein => grid(n, size.max(3), true, true, 1),
+            Family::Tube => grid(n, size, true, false, 0),
+            Family::Moebius => grid(n, size, true, false, 1),
+            Family::Klein => grid(n, size, true, true, 1),
             Family::Soup => (0..n).map(|_| three(size.max(4), random)).collect(),
             Family::Bundle => {
                 let two = |[_, a, b]: [u32; 3]| {
@@ -129,6 +129,8 @@ fn hubs(n: u32, hubs: u32) -> Vec<[u32; 3]> {
 
 /// Rows of so many quads, each cut in two; closed along the rows, which may come back upside down, and across.
 fn grid(n: u32, columns: u32, is_tube: bool, is_torus: bool, turns: u32) -> Vec<[u32; 3]> {
+    let least = if is_tube { 3 } else { 1 };
+    let columns = columns.clamp(least, (n / 6).max(least));
     let rows = (n / 2 / columns).max(3);
     let wide = if is_tube { columns } else { columns + 1 };
     let high = if is_torus { rows } else { rows + 1 };
@@ -163,4 +165,13 @@ fn stacked(n: u32, size: u32, random: &mut Random) -> Vec<[u32; 3]> {
         faces.extend([[b, c, v], [c, a, v]]);
     }
     faces
+}
+
+/// Every family of every size is about as large as it was asked to be.
+pub(crate) fn check() {
+    let mut random = Random::default();
+    for (family, size) in FAMILIES.into_iter().flat_map(|family| (0..9).map(move |size| (family, size))) {
+        let (_, faces) = Piece { family, share: 1, size }.faces(2000, &mut random);
+        assert!((1000..=2001).contains(&faces.len()), "{} faces of {family:?} {size}", faces.len());
+    }
 }

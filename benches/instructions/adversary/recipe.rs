@@ -1,6 +1,7 @@
 //! How a list of faces is made, at any size: pieces, then numbers for vertices, an order for faces, and turned corners.
-use crate::meshes::{Faces, Random};
-use crate::pieces::Piece;
+use crate::meshes::{self, Faces, Random};
+use crate::pieces::{self, Piece};
+use onering::Pairing;
 
 /// New numbers for vertices.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +31,7 @@ enum Order {
     Interleaved(usize),
     /// So many eighths of the list from the front shuffled.
     FrontShuffled(usize),
-    /// Shuffled but for pairs of faces at even steps, which `Pairing::choose` looks at.
+    /// Shuffled but for the pairs of faces that `is_shuffled` in `core/src/pairing/mod.rs` samples, at its odd step.
     Unsampled,
     ByLeast,
     ByGreatest,
@@ -61,7 +62,7 @@ pub(crate) struct Recipe {
 impl Recipe {
     pub(crate) fn random(random: &mut Random) -> Self {
         let some = |random: &mut Random| random.below(3);
-        Self {
+        let mut new = Self {
             pieces: (0..1 + random.of(&[0, 0, 0, 1, 1, 2])).map(|_| Piece::random(random)).collect(),
             is_joined: random.below(3) == 0,
             numbers: (0..some(random)).map(|_| Numbers::random(random)).collect(),
@@ -69,7 +70,10 @@ impl Recipe {
             corners: Corners::random(random),
             isolated: random.of(&[0, 0, 0, 0, 1, 16, 64]),
             seed: random.next(),
-        }
+        };
+        // Others behind them would give numbers that collide no more.
+        new.numbers.sort_by_key(|numbers| matches!(numbers, Numbers::Colliding(_)));
+        new
     }
 
     /// The same but for one thing.
@@ -139,12 +143,16 @@ impl Numbers {
             Self::Turned => numbers.rotate_left(count / 2),
             Self::Spread(far) => numbers.iter_mut().for_each(|v| *v *= far as u32),
             Self::Colliding(places) => {
-                let place = |v: u32| (u64::from(v.wrapping_mul(0x9E37_79B9)) * 56) >> 32;
-                numbers = (0..).filter(|&v| place(v) < places).take(count).collect();
+                numbers = (0..).filter(|&v| bit(v) < places).take(count).collect();
             }
         }
         numbers
     }
+}
+
+/// The bit of a vertex in the filter of the chain, of its 56.
+fn bit(v: u32) -> u64 {
+    (u64::from(v.wrapping_mul(0x9E37_79B9)) * 56) >> 32
 }
 
 impl Order {
@@ -184,7 +192,7 @@ impl Order {
             }
             Self::FrontShuffled(eighths) => random.shuffle(&mut faces[..count * eighths / 8]),
             Self::Unsampled => {
-                let step = (count / 256).max(2);
+                let step = (count / 256) | 1;
                 let unsampled: Vec<usize> = (0..count).filter(|f| f % step > 1).collect();
                 for &f in &unsampled {
                     faces.swap(f, unsampled[random.below(unsampled.len())]);
@@ -209,6 +217,29 @@ impl Corners {
             Self::Flipped(one_in) => {
                 faces.iter_mut().filter(|_| random.below(one_in) == 0).for_each(|face| face.swap(0, 1));
             }
+        }
+    }
+}
+
+/// Lists are what they are said to be.
+pub(crate) fn check() {
+    pieces::check();
+    let mut random = Random::default();
+    let (vertices, faces) = meshes::torus(320, 320);
+    let chosen = |order: Order, random: &mut Random| {
+        let mut faces = faces.clone();
+        order.put(&mut faces, random);
+        Pairing::choose(vertices, &faces)
+    };
+    assert_eq!(chosen(Order::Shuffled, &mut random), Pairing::Partition);
+    assert_eq!(chosen(Order::Unsampled, &mut random), Pairing::Chain);
+    for _ in 0..300 {
+        let recipe = Recipe::random(&mut random).changed(&mut random);
+        let is_last = recipe.numbers.is_sorted_by_key(|numbers| matches!(numbers, Numbers::Colliding(_)));
+        assert!(is_last, "{recipe:?}");
+        if let Some(Numbers::Colliding(places)) = recipe.numbers.last() {
+            let (_, faces) = recipe.faces(60);
+            assert!(faces.as_flattened().iter().all(|&v| bit(v) < *places), "{recipe:?}");
         }
     }
 }

@@ -1,14 +1,15 @@
-//! Tries lists, half of them made anew, half of them what was worst until then but for one change.
+//! Tries lists, half of them made anew, half of them what was worst until then but for one change; a quarter of these for
+//! another structure or strategy as well.
 use crate::Counter;
 use crate::meshes::Random;
-use crate::recipe::Recipe;
+use crate::recipe::{self, Recipe};
 use crate::subjects::Subject;
 use std::process::ExitCode;
 
 /// How much more than n log n a count may grow with the list.
 const MARGIN: f64 = 1.3;
 
-/// A list of more faces is not made: what still grows then is not n log n.
+/// A list is not asked for with more faces: what still grows then is not n log n.
 const MOST_FACES: usize = 200_000;
 
 /// Nor where it took so many instructions for each face and vertex at fewer: they are some hundreds, and a few thousands at
@@ -32,12 +33,14 @@ struct Tried {
 
 impl Tried {
     fn new(subject: Subject, recipe: Recipe, n: usize, counter: &mut Counter) -> Self {
+        let mut asked = 4 * n;
         let (mut before, mut after) =
-            (Size::of(&subject, &recipe, n, counter), Size::of(&subject, &recipe, 4 * n, counter));
+            (Size::of(&subject, &recipe, n, counter), Size::of(&subject, &recipe, asked, counter));
         let cost = after.cost();
         let mut growth = after.growth(before);
-        while growth > MARGIN && 4 * after.faces < MOST_FACES && after.cost() < MOST_FOR_EACH {
-            (before, after) = (after, Size::of(&subject, &recipe, 4 * after.faces, counter));
+        while growth > MARGIN && 4 * asked <= MOST_FACES && after.cost() < MOST_FOR_EACH {
+            asked *= 4;
+            (before, after) = (after, Size::of(&subject, &recipe, asked, counter));
             growth = growth.min(after.growth(before));
         }
         Self { subject, recipe, growth, cost, faces: after.faces }
@@ -114,6 +117,7 @@ pub(crate) fn search(lists: u64, seed: u64, n: usize, counter: &mut Counter) -> 
 
 /// As many lists at a small size, to see that they are made and built.
 pub(crate) fn try_out(lists: u64) {
+    recipe::check();
     let mut random = Random::new(1);
     for _ in 0..lists {
         let (vertices, faces) = Recipe::random(&mut random).changed(&mut random).faces(60);

@@ -43,7 +43,7 @@ pub(crate) struct Compare {
     /// and the whole deformation take, as in Figs. 18 to 21 of Biscaro et al. (2016)
     #[arg(long, conflicts_with_all = ["files", "seed"])]
     pub(crate) deform: bool,
-    /// Draw what --deform measures into this SVG file
+    /// Draw what --deform measures into this SVG file; never over a mesh
     #[arg(long, value_name = "FILE", requires = "deform")]
     pub(crate) plot: Option<PathBuf>,
 }
@@ -72,11 +72,16 @@ impl Compare {
     pub(super) fn check(&mut self) {
         give_back_files(self);
         check_backends(self);
-        for (option, path) in [("--json", &self.json), ("--html", &self.html)] {
-            path.iter().for_each(|path| check_output(self, option, path));
-        }
-        if self.json.is_some() && self.json == self.html {
-            fail("--json and --html cannot be one file");
+        let outputs = [("--json", &self.json), ("--html", &self.html), ("--plot", &self.plot)];
+        let outputs = outputs.into_iter().filter_map(|(option, path)| Some((option, path.as_deref()?)));
+        let mut targets: Vec<(&str, PathBuf)> = Vec::new();
+        for (option, path) in outputs {
+            check_output(self, option, path);
+            let target = real(path);
+            if let Some((other, _)) = targets.iter().find(|(_, other)| *other == target) {
+                fail(&format!("{other} and {option} cannot be one file"));
+            }
+            targets.push((option, target));
         }
     }
 }
@@ -119,8 +124,6 @@ const OTHER_MESHES: &[&str] = &[
 
 /// A name that was meant as another mesh to read must not cost that mesh.
 fn check_output(compare: &Compare, option: &str, output: &Path) {
-    // The same file by another name, or what a link leads to.
-    let real = |path: &Path| fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     let target = real(output);
     let reason = if compare.files.iter().any(|file| real(file) == target) {
         "it is one of the meshes to read"
@@ -130,6 +133,15 @@ fn check_output(compare: &Compare, option: &str, output: &Path) {
         return;
     };
     fail(&format!("{option} does not write to '{}': {reason}", output.display()));
+}
+
+/// The same for one file by whatever name, and for what a link leads to; also where there is no such file yet.
+fn real(path: &Path) -> PathBuf {
+    let new = || {
+        let folder = path.parent().filter(|folder| *folder != "").unwrap_or(Path::new("."));
+        Some(fs::canonicalize(folder).ok()?.join(path.file_name()?))
+    };
+    fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.to_owned())
 }
 
 fn has_name_of_mesh(path: &Path) -> bool {

@@ -25,6 +25,7 @@ use crate::machine::Machine;
 use crate::output::{self, Status};
 use case::{Case, Wanted};
 use indicatif::{ProgressBar, ProgressStyle};
+use onering_io::one_line;
 use open::{Open, finish, open};
 use record::{Mesh, Run, Settings, Unread};
 use row::Rows;
@@ -124,8 +125,9 @@ impl<'a> Comparison<'a> {
 
     fn measure(&self, case: &Case) -> Mesh {
         let mut rows = Rows::new(case, self.options);
+        let name = one_line(&case.name);
         for &i in &self.chosen {
-            self.bar.set_message(format!("{} on {}", subject::SUBJECTS[i].name, case.name));
+            self.bar.set_message(format!("{} on {name}", subject::SUBJECTS[i].name));
             rows.measure(i);
             self.bar.inc(1);
         }
@@ -166,7 +168,7 @@ impl<'a> Comparison<'a> {
 
 /// As it could be said again.
 fn command() -> String {
-    let words = std::env::args_os().skip(1).map(|word| onering_io::one_line(&word.to_string_lossy()));
+    let words = std::env::args_os().skip(1).map(|word| one_line(&word.to_string_lossy()));
     std::iter::once("onering".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }
 

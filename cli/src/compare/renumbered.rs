@@ -3,14 +3,16 @@
 use super::kernels::Kernels;
 use super::measure::{Depth, Measured, Plan};
 use super::reference::Sides;
-use super::sample::{Sample, Soup};
+use super::rings::LEVELS;
+use super::sample::{STARTS, Sample, Soup};
 use crate::heap;
 use onering::{BuildError, CompactStars, Footprint, Incidence, Pairing, Renumbering, Sot, memory};
 
-/// The sorted opposite table. Every name of a vertex is looked for around it: where one has very many faces, nothing is
-/// asked.
+/// The sorted opposite table. Every name of a vertex is looked for around it, and for rings all over again from each start
+/// to each level: where one has very many faces, nothing is asked.
 pub(crate) fn sot(plan: &Plan<'_>) -> Result<Measured, BuildError> {
-    let kernels = if plan.soup.is_quick_to_look_around()? { kernels() } else { Kernels::new() };
+    let is_quick = plan.soup.is_quick_to_look_around(STARTS * LEVELS)?;
+    let kernels = if is_quick { kernels() } else { Kernels::new() };
     let (mesh, mut measured) = encoded(plan, Sot::encode, Sot::heap_bytes, &kernels)?;
     measured.unmatched = used_vertices(plan.soup)? - mesh.matched_count();
     Ok(measured)
@@ -20,8 +22,9 @@ pub(crate) fn sot(plan: &Plan<'_>) -> Result<Measured, BuildError> {
 /// out.
 pub(crate) fn compact_stars(plan: &Plan<'_>) -> Result<Measured, BuildError> {
     let mut kernels = kernels();
-    if !plan.soup.is_quick_to_look_around()? {
-        kernels.checks.retain(|(name, _)| !["edge_fan", "opposite", "boundary", "star"].contains(name));
+    let looking = ["edge_fan", "opposite", "boundary", "star"];
+    if !plan.soup.is_quick_to_look_around(looking.len())? {
+        kernels.checks.retain(|(name, _)| !looking.contains(name));
         kernels.face_queries = None;
     }
     let (_, measured) = encoded(plan, CompactStars::encode, CompactStars::heap_bytes, &kernels)?;

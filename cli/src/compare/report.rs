@@ -10,6 +10,7 @@ use crate::args;
 use crate::tables::{cell, scaled, table, wrapped};
 use comfy_table::Table;
 use onering::Pairing;
+use onering_io::one_line;
 use std::fmt::Write;
 
 /// How to read the figures.
@@ -47,7 +48,8 @@ pub(crate) fn head(run: &Run) -> String {
 
 /// Everything about one mesh.
 pub(crate) fn mesh(mesh: &Mesh, options: &args::Compare) -> String {
-    let Mesh { name, vertices, triangles, edges, defects, repair, .. } = mesh;
+    let Mesh { vertices, triangles, edges, defects, repair, .. } = mesh;
+    let name = one_line(&mesh.name);
     let mut text =
         format!("\n{name}: {vertices} vertices, {edges} edges, {triangles} triangles; {defects}\n");
     if let Some(repair) = repair {

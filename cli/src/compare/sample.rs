@@ -22,10 +22,10 @@ impl Soup {
         Ok(self.faces.len() <= limit && self.squared_degrees()? <= 60_u64.saturating_mul(limit as u64))
     }
 
-    /// Whether to look once around a vertex of each corner takes seconds at most, or is what a regular mesh of this size
-    /// takes in any case.
-    pub(crate) fn is_quick_to_look_around(&self) -> Result<bool, BuildError> {
-        Ok(self.squared_degrees()? <= 1_000_000_000 + 60 * self.faces.len() as u64)
+    /// Whether to look around a vertex of each corner, and all that so many times, takes seconds at most, or is what a
+    /// regular mesh of this size takes in any case.
+    pub(crate) fn is_quick_to_look_around(&self, times: usize) -> Result<bool, BuildError> {
+        Ok(self.squared_degrees()? <= 1_000_000_000 / times as u64 + 60 * self.faces.len() as u64)
     }
 
     /// The sum over all vertices of the square of their numbers of faces.
@@ -73,6 +73,18 @@ pub(crate) fn strategies(with_quadratic: bool) -> impl Iterator<Item = Pairing> 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// To look around the hub for each vertex of its rim takes the square of its faces.
+    #[test]
+    fn a_hub_is_looked_around_fewer_times_the_more_faces_it_has() {
+        let cone = |sides: u32| {
+            let faces = (0..sides).map(|side| [0, 1 + side, 1 + (side + 1) % sides]).collect();
+            Soup { vertex_count: 1 + sides as usize, faces, is_clean: true }
+        };
+        let is_quick = |sides| [1, 4, 120].map(|times| cone(sides).is_quick_to_look_around(times).unwrap());
+        let expected = [[true; 3], [true, true, false], [true, false, false], [false; 3]];
+        assert_eq!([2_500, 10_000, 30_000, 40_000].map(is_quick), expected);
+    }
 
     #[test]
     fn a_sample_is_the_same_each_time_and_within_bounds() {

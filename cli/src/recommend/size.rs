@@ -32,7 +32,11 @@ impl FromStr for Size {
         let (_, bytes) = UNITS.iter().find(|(name, _)| *name == unit).ok_or(WRONG)?;
         let number: f64 = number.parse().map_err(|_| WRONG)?;
         let total = number * *bytes as f64;
-        if total < 1.0 { Err("it is no memory at all") } else { Ok(Self(total as u64)) }
+        if total < 1.0 {
+            return Err("it is no memory at all");
+        }
+        // As f64 that is 2^64, the first number that is too large.
+        if total < u64::MAX as f64 { Ok(Self(total as u64)) } else { Err("no machine has so much memory") }
     }
 }
 
@@ -59,9 +63,24 @@ mod tests {
             ["7", "7B", "500M", "500 mb", "1.5G", "2KiB", "1Gi"].map(bytes),
             [7, 7, 500_000_000, 500_000_000, 1_500_000_000, 2048, 1 << 30]
         );
-        for text in ["", "M", "-5M", "5X", "1.2.3", "nan", "inf", "0", "0.1", "5 M 3", "5iB"] {
+        for text in [
+            "",
+            "M",
+            "-5M",
+            "5X",
+            "1.2.3",
+            "nan",
+            "inf",
+            "0",
+            "0.1",
+            "5 M 3",
+            "5iB",
+            "16777216Ti",
+            &"9".repeat(400),
+        ] {
             assert!(text.parse::<Size>().is_err(), "{text}");
         }
+        assert_eq!("16777215Ti".parse(), Ok(Size(u64::MAX - (1 << 40) + 1)));
         assert_eq!(
             [999, 1_500, 2_000_000, 3_210_000_000].map(|b| Size(b).to_string()),
             ["999 B", "1.5 kB", "2.0 MB", "3.21 GB"]

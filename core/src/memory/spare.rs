@@ -7,7 +7,11 @@ use bytemuck::Pod;
 /// Tables to be used again, which a [`Builder`](crate::Builder) hands from mesh to mesh. The default is none, and that
 /// stays so: whatever is built with it is built in fresh memory, and scratch is freed as soon as it is done with.
 ///
-/// Cells are any of four bytes, whatever they were before.
+/// Cells are any of four bytes, whatever they were before. Others do not compile:
+///
+/// ```compile_fail,E0080
+/// let _ = onering_core::memory::Spare::default().table::<u64>(1);
+/// ```
 #[derive(Debug, Default)]
 pub struct Spare {
     keeps: bool,
@@ -27,6 +31,7 @@ impl Spare {
     /// # Errors
     /// [`BuildError::OutOfMemory`].
     pub fn table<T: Pod>(&mut self, count: usize) -> Result<Vec<T>, BuildError> {
+        const { assert!(is_word::<T>()) };
         let Some(mut words) = self.near(count) else { return zeroed(count) };
         resize(&mut words, count, 0)?;
         Ok(bytemuck::cast_vec(words))
@@ -37,6 +42,7 @@ impl Spare {
     /// # Errors
     /// [`BuildError::OutOfMemory`].
     pub fn room<T: Pod>(&mut self, count: usize) -> Result<Vec<T>, BuildError> {
+        const { assert!(is_word::<T>()) };
         let Some(mut words) = self.near(count) else { return with_room(count) };
         words.clear();
         reserve_exact(&mut words, count)?;
@@ -45,6 +51,7 @@ impl Spare {
 
     /// Takes a table that is no longer needed.
     pub fn keep<T: Pod>(&mut self, table: Vec<T>) {
+        const { assert!(is_word::<T>()) };
         if self.keeps && table.capacity() > 0 {
             self.words.push(bytemuck::cast_vec(table));
         }
@@ -76,4 +83,9 @@ impl Spare {
             sizes.filter(|&(_, size)| is_near(size)).min_by_key(|&(_, size)| size.abs_diff(count))?;
         Some(self.words.swap_remove(i))
     }
+}
+
+/// Whether a table of words can hold it.
+const fn is_word<T>() -> bool {
+    size_of::<T>() == size_of::<u32>() && align_of::<T>() == align_of::<u32>()
 }

@@ -92,7 +92,7 @@ fn pair_parts<S: Sorted>(
 ) -> Result<(Paired, bool), BuildError> {
     let pieces = workers::pieces(3 * faces.len(), PIECE);
     let mut dealt = Dealt::<S::Entry>::new(plan, faces, pieces)?;
-    // Both ways the vector keeps its memory. No two threads write to one place.
+    // Both ways the vector keeps its memory: std does not promise that, so a test looks. No two threads write to one place.
     let opposite: Vec<u32> = bytemuck::cast_vec(table);
     let opposite: Vec<AtomicU32> = opposite.into_iter().map(AtomicU32::new).collect();
     let set = |h: u32, o: u32| opposite[h as usize].store(o, Relaxed);
@@ -207,5 +207,23 @@ impl<'a, S: Sorted> Buckets<'a, S> {
             self.sorted.put(*end as usize, entry);
             *end += 1;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Were it copied, the table would be there twice, and no error where memory ends.
+    #[test]
+    fn a_table_becomes_atomic_and_plain_again_in_its_place() {
+        let mut plain: Vec<u32> = Vec::with_capacity(2000);
+        plain.extend(0..1000);
+        let place = (plain.as_ptr().addr(), plain.capacity());
+        let atomic: Vec<AtomicU32> = plain.into_iter().map(AtomicU32::new).collect();
+        assert_eq!((atomic.as_ptr().addr(), atomic.capacity()), place);
+        let plain: Vec<u32> = atomic.into_iter().map(AtomicU32::into_inner).collect();
+        assert_eq!((plain.as_ptr().addr(), plain.capacity()), place);
+        assert!(plain.into_iter().eq(0..1000));
     }
 }

@@ -214,6 +214,32 @@ mod tests {
         }
     }
 
+    /// Gives one of these at a time, and the end of the file where one is empty.
+    struct Growing(std::collections::VecDeque<Vec<u8>>);
+
+    impl Read for Growing {
+        fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+            let bytes = self.0.pop_front().unwrap_or_default();
+            buffer[..bytes.len()].copy_from_slice(&bytes);
+            Ok(bytes.len())
+        }
+    }
+
+    /// What is behind the end, once that was met, is not read. Nobody waits for the part that was empty.
+    #[test]
+    fn a_file_that_grows_ends_where_it_ended() {
+        let text = || b"v 1 2 3\n".repeat(100);
+        let (tell, told) = std::sync::mpsc::channel();
+        std::thread::spawn(move || {
+            let file = Growing([text(), vec![], vec![], text()].into());
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
+            let read = pool.install(|| read_parts(file, 5000, 2));
+            tell.send(read.map(|mesh| mesh.positions.len()))
+        });
+        let read = told.recv_timeout(std::time::Duration::from_secs(60)).expect("it comes to an end");
+        assert_eq!(read, Some(100));
+    }
+
     proptest! {
         #[test]
         fn parts_give_what_the_whole_gives(

@@ -65,11 +65,13 @@ impl Piece {
 pub(super) struct Pieces<R> {
     file: R,
     size: usize,
+    /// Once the file has ended, it has no more, even if it grows: what comes behind an empty piece is empty.
+    is_at_end: bool,
 }
 
 impl<R: Read> Pieces<R> {
     pub(super) fn new(file: R, size: usize) -> Self {
-        Self { file, size }
+        Self { file, size, is_at_end: false }
     }
 
     /// Fills the next piece, which begins with the rest of the one before; it is empty at the end of the file.
@@ -85,17 +87,16 @@ impl<R: Read> Pieces<R> {
         bytes.resize(room, 0);
         bytes[..rest.len()].copy_from_slice(rest);
         let mut length = rest.len();
-        while length < room {
+        while length < room && !self.is_at_end {
             match self.file.read(&mut bytes[length..]) {
-                Ok(0) => break,
+                Ok(0) => self.is_at_end = true,
                 Ok(more) => length += more,
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
                 Err(error) => return Err(error),
             }
         }
-        let is_last = length < room;
         bytes.truncate(length);
-        piece.end = if is_last { length } else { end_of_lines(bytes) };
+        piece.end = if self.is_at_end { length } else { end_of_lines(bytes) };
         Ok(())
     }
 }

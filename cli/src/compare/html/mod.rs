@@ -14,6 +14,7 @@ use super::record::{Mesh, Named, Run};
 use super::subject::SUBJECTS;
 use figure::grouped;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
+use onering_io::one_line;
 use table::Table;
 
 /// A picture, what it says, and the figures that it is made of.
@@ -62,7 +63,7 @@ fn head(run: &Run) -> Markup {
             dd { "seed " (settings.seed) ", " (settings.budget_ms) " ms for each figure, quadratic up to "
                  (grouped(settings.quadratic_up_to_triangles)) " triangles" }
         }
-        @for unread in &run.unread { p.differ { (unread.error) } }
+        @for unread in &run.unread { p.differ { (one_line(&unread.error)) } }
     }
 }
 
@@ -70,7 +71,7 @@ fn contents(run: &Run) -> Markup {
     html! {
         nav aria-label="Contents" {
             ul {
-                @for (i, mesh) in run.meshes.iter().enumerate() { li { a href=(format!("#mesh-{i}")) { (mesh.name) } } }
+                @for (i, mesh) in run.meshes.iter().enumerate() { li { a href=(format!("#mesh-{i}")) { (one_line(&mesh.name)) } } }
                 @if run.growth.is_some() { li { a href="#growth" { "Time against size" } } }
                 li { a href="#notes" { "How to read the figures" } }
             }
@@ -115,7 +116,7 @@ fn section(id: &str, mesh: &Mesh) -> Markup {
     let name = |plot: &str| format!("{id}-{plot}");
     html! {
         section id=(id) {
-            h2 { (mesh.name) }
+            h2 { (one_line(&mesh.name)) }
             p {
                 (grouped(mesh.vertices)) " vertices, " (grouped(mesh.edges)) " edges, " (grouped(mesh.triangles))
                 " triangles; " (mesh.defects) "."
