@@ -1,7 +1,7 @@
 //! The phases of a build of ours, each through its public function, beside the same on bare arrays.
 
 use super::floor::Faces;
-use super::{LONG, Peer, timed};
+use super::{Peer, least, timed};
 use crate::heap;
 use crate::mesh::{Mesh, mixed};
 use crate::record::{CHECK, COPY, LINKS, PAIR, Run, Task};
@@ -41,16 +41,19 @@ fn copy(faces: &[[u32; 3]]) -> Result<Task, String> {
     phase(COPY, || Ok::<_, String>(faces.to_vec()), |_| None)
 }
 
-/// The second of two times, or the first where it was long. What is made is dropped after its time.
+/// What is made is dropped after its time.
 fn phase<T, E: ToString>(
     task: &str,
     work: impl Fn() -> Result<T, E>,
     answer: impl Fn(&T) -> Option<u64>,
 ) -> Result<Task, String> {
-    let (made, first) = timed(&work);
-    let answer = answer(&made.map_err(|error| error.to_string())?);
-    let seconds = if first > LONG { first } else { timed(&work).1 };
-    Ok(Task { task: task.into(), seconds, answer })
+    let mut answered = Ok(None);
+    let seconds = least(|| {
+        let (made, seconds) = timed(&work);
+        answered = made.map(|made| answer(&made));
+        seconds
+    });
+    Ok(Task { task: task.into(), seconds, answer: answered.map_err(|error| error.to_string())? })
 }
 
 fn number(link: &Slot<impl Handle>) -> u32 {
