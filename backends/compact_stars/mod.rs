@@ -15,7 +15,7 @@ type Source = WithOutgoing<CheL1>;
 
 /// The neighbours of each vertex in order around it, each told by how far its number is from that of the vertex, in as
 /// few bits as the longest such step takes: full incidence in 5 to 6.5 bytes a triangle, half of a bare list of vertices.
-/// One-rings took 1.0 to 1.8 times as long as on Compact Half-Edge level 2 in the same order (`docs/performance.md`).
+/// One-rings took 0.8 to 1.5 times as long as on Compact Half-Edge level 2 in the same order (`docs/performance.md`).
 ///
 /// Lists of neighbours in order around each vertex are the star-vertices of Kallmann and Thalmann (2001); to tell them
 /// by differences, over a numbering that keeps neighbours close, is due to Blandford, Blelloch, Cardoze and Kadow (2003).
